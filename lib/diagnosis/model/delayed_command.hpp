@@ -19,9 +19,8 @@ struct RecordedCommand {
 template <class T>
 class DelayedCommand {
  public:
-  /// Before sample `begin` the command is constant at its value there. The vectors of `command` must outlive this.
-  DelayedCommand(const RecordedCommand& command, const plant::TermSet<T>& terms, std::size_t begin)
-      : command_(command), begin_(begin) {
+  /// Before the recording the command is constant at its first value. The vectors of `command` must outlive this.
+  DelayedCommand(const RecordedCommand& command, const plant::TermSet<T>& terms) : command_(command) {
     if (const auto* delay = terms.template find<plant::InputDelay>()) {
       delayed_ = true;
       delay_s_ = delay->delay_s();
@@ -43,14 +42,11 @@ class DelayedCommand {
  private:
   T integral(const T& at_s) const {
     const double place = value_of(at_s) / command_.period_s;
-    const std::size_t i = place <= static_cast<double>(begin_)
-                              ? begin_
-                              : std::min(static_cast<std::size_t>(place), command_.values.size() - 1);
+    const std::size_t i = place <= 0.0 ? 0 : std::min(static_cast<std::size_t>(place), command_.values.size() - 1);
     return command_.integral[i] + (at_s - static_cast<double>(i) * command_.period_s) * command_.values[i];
   }
 
   RecordedCommand command_;
-  std::size_t begin_;
   bool delayed_ = false;
   T delay_s_ = T(0.0);
 };

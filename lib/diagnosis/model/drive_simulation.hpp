@@ -29,7 +29,7 @@ class DriveSimulation {
         n_(&numbers),
         terms_(terms),
         friction_(numbers.gear_friction),
-        command_({data.current_A, data.current_integral, data.period_s}, terms, begin) {
+        command_({data.current_A, data.current_integral, data.period_s}, terms) {
     if (const auto* gain = terms_.template find<plant::ForceSensorGain>()) {
       sensor_gain_ = gain->gain();
     }

@@ -32,7 +32,7 @@ class LoadSimulation {
       : data_(&data),
         c_(&constants),
         terms_(terms),
-        current_({data.current_A, data.current_integral, data.period_s}, terms, begin),
+        current_({data.current_A, data.current_integral, data.period_s}, terms),
         force_(data, terms, begin) {
     valve_moves_ =
         !data.current_A.empty() && (current_.delayed() || terms_.template find<plant::ValveDynamics>() != nullptr);

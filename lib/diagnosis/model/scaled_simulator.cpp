@@ -98,7 +98,7 @@ template <class T>
 std::vector<T> ScaledSimulator::run(Span span, const T& gain, const T& drift, plant::TermSet<T>& terms) const {
   std::vector<T> positions;
   positions.reserve(span.size());
-  const DelayedCommand<T> command({recording_.valve, valve_integral_, kSample_s}, terms, 0);
+  const DelayedCommand<T> command({recording_.valve, valve_integral_, kSample_s}, terms);
   // The valve is where its commands before the span have brought it; before the first it was where that one holds it.
   for (std::size_t i = kSettling; i > 0; --i) {
     plant::ValveMoment<T> valve{command.mean(span.begin > i ? span.begin - i : 0), T(1.0)};

@@ -31,7 +31,7 @@ class OilSimulation {
       : data_(&data),
         c_(&constants),
         terms_(terms),
-        current_({data.current_A, data.current_integral, data.period_s}, terms, begin) {
+        current_({data.current_A, data.current_integral, data.period_s}, terms) {
     if (const auto* gain = terms_.template find<plant::ForceSensorGain>()) {
       sensor_gain_ = gain->gain();
     }
@@ -45,6 +45,14 @@ class OilSimulation {
     p_a_ = (force + constants.area_b * supply) / (constants.area_a + constants.area_b);
     p_a_ = p_a_ < constants.return_pressure_Pa ? T(constants.return_pressure_Pa) : p_a_ > supply ? supply : p_a_;
     p_b_ = supply - p_a_;
+    if (terms_.template find<plant::ValveHysteresis>() != nullptr) {
+      // Where a spool stands hangs on all commands before.
+      for (std::size_t k = 0; k < begin; ++k) {
+        for (std::size_t part = 0; part < JointData::kSubsteps; ++part) {
+          open_valve(k, part);
+        }
+      }
+    }
   }
 
   /// Reading of the load cell at sample k, the current one. Call once per sample.
@@ -72,6 +80,12 @@ class OilSimulation {
   }
 
  private:
+  plant::ValveMoment<T> open_valve(std::size_t k, std::size_t part) {
+    plant::ValveMoment<T> valve{current_.mean(k, part, JointData::kSubsteps), T(1.0)};
+    terms_.on_valve(valve);
+    return valve;
+  }
+
   void substep(std::size_t k, std::size_t part) {
     using std::abs;
     const JointData& data = *data_;
@@ -79,8 +93,7 @@ class OilSimulation {
     const Constants<T>& c = *c_;
     const double h = data.step_s();
     const double speed = data.middle_velocity[sub];
-    plant::ValveMoment<T> valve{current_.mean(k, part, JointData::kSubsteps), T(1.0)};
-    terms_.on_valve(valve);
+    const plant::ValveMoment<T> valve = open_valve(k, part);
     const bool extends = valve.opening_A > 0.0;
     const T conductance = c.valve_gain * valve.flow_factor * abs(valve.opening_A);
 
