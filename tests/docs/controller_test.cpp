@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "documents.hpp"
@@ -19,13 +17,6 @@ namespace fs = std::filesystem;
 const fs::path kExample = fs::path(FARRIER_SOURCE_DIR) / "docs/how-to/controller";
 constexpr const char* kReadMe = "README.md";
 constexpr const char* kHowTo = "docs/how-to/write-a-controller.md";
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::string text_of(const Block& block) {
   std::string text;
@@ -44,7 +35,7 @@ bool shows(const std::string& path, const std::string& text) {
 
 TEST(Controller, IsShownByTheDocumentsAsItIs) {
   for (const char* file : {"controller.cpp", "CMakeLists.txt"}) {
-    const std::string text = text_of(kExample / file);
+    const std::string text = content_of(kExample / file);
     ASSERT_FALSE(text.empty()) << file;
     for (const char* document : {kReadMe, kHowTo}) {
       EXPECT_TRUE(shows(document, text)) << document << " shows another " << file;
@@ -57,8 +48,7 @@ TEST(Controller, BuildsAgainstAnInstallationAndPrintsWhatTheDocumentsShow) {
   const test::ScratchDirectory scratch;
   const std::string prefix = scratch.file("prefix");
   const std::string build = scratch.file("build");
-  const Ran installed =
-      run("cmake --install '" FARRIER_BUILD_DIR "' --component dev --prefix '" + prefix + "'");
+  const Ran installed = run("cmake --install '" FARRIER_BUILD_DIR "' --component dev --prefix '" + prefix + "'");
   ASSERT_EQ(installed.status, 0) << installed.output;
   const Ran built = run("cmake -S '" + prefix + "/share/doc/farrier-dev/controller' -B '" + build +
                         "' -DCMAKE_PREFIX_PATH='" + prefix + "' && cmake --build '" + build + "'");

@@ -68,9 +68,7 @@ const std::vector<Document>& documents() {
   return all;
 }
 
-std::string at(const Document& document, const Line& line) {
-  return document.path + ":" + std::to_string(line.number);
-}
+std::string at(const Document& document, const Line& line) { return document.path + ":" + std::to_string(line.number); }
 
 std::vector<std::string> code_spans(const std::string& text) {
   static const std::regex span("`([^`]+)`");
@@ -109,6 +107,13 @@ std::set<std::string> anchors(const Document& document) {
     }
   }
   return names;
+}
+
+std::string content_of(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
 }
 
 Ran run(const std::string& command_line) {

@@ -2,6 +2,7 @@
 
 // The repository's documents, as the tests of tests/docs read them.
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -20,7 +21,7 @@ struct Block {
 };
 
 struct Document {
-  std::string path;  ///< from the repository's root, "docs/tour.md"
+  std::string path;         ///< from the repository's root, "docs/tour.md"
   std::vector<Line> prose;  ///< without fenced blocks
   std::vector<Block> blocks;
 };
@@ -40,6 +41,9 @@ std::vector<std::string> links(const std::string& text);
 /// Names of a document's headings, as code forges and the site make them. Headings with letters beyond ASCII, of which
 /// those would make different names, have none.
 std::set<std::string> anchors(const Document& document);
+
+/// The content of a file. Empty where it cannot be read.
+std::string content_of(const std::filesystem::path& path);
 
 /// Output and status of a command line for sh.
 struct Ran {
