@@ -1,4 +1,5 @@
-# ask.zsh LINE: what zsh offers at the end of the line, one a line. A second zsh, on a terminal, prints its matches.
+# ask.zsh LINE...: what zsh offers at the end of each line, one a line, and an empty line behind those of each. A second
+# zsh, on a terminal, prints its matches.
 zmodload zsh/zpty
 zpty shell zsh -f -i
 until_said() {
@@ -15,6 +16,10 @@ zpty -w shell 'autoload -Uz compinit; compinit -u -D; source ./_zsh
 compadd() { local -a got; builtin compadd -O got "$@"; (( $#got )) && print -rl -- "offer<"${^got}">"; builtin compadd "$@" }
 ask() { _main_complete; print "\n<end>" }; zle -C ask complete-word ask; bindkey "^T" ask; print "<ready>"'
 until_said ready
-zpty -w -n shell "$1"$'\x14'
-until_said end
+for line in "$@"; do
+    zpty -w -n shell "$line"$'\x14'
+    until_said end
+    print
+    zpty -w -n shell $'\x15'  # empties the line
+done
 zpty -d shell
