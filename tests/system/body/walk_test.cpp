@@ -15,6 +15,7 @@ const char* const kWalks = tested_duration("9.5");
 
 struct Traces {
   std::string joints, body, supply;
+  bool of_processes;  ///< each has a log
 };
 
 /// The traces of a walk with these options. It is too short to be judged.
@@ -25,7 +26,8 @@ Traces traces_of(const std::vector<std::string>& options) {
   std::string output;
   run_farrier(arguments, &output);
   const Traces traces{read_file(scratch.file("out/trace.csv")), read_file(scratch.file("out/trace_body.csv")),
-                      read_file(scratch.file("out/trace_supply.csv"))};
+                      read_file(scratch.file("out/trace_supply.csv")),
+                      std::filesystem::exists(scratch.file("out/log/supervisor.log"))};
   EXPECT_GT(traces.body.size(), 1000u) << output;
   EXPECT_GT(traces.supply.size(), 1000u) << output;
   return traces;
@@ -37,17 +39,24 @@ TEST(Walk, LeavesTheSameTracesOverEveryTransportAndGrouping) {
   std::ofstream(scratch.file("hard.yaml"))
       << "actuators: {coils: {start_s: 8.6, valve_gain_factor: 0.5}}\n"
          "blocks: {field: {x_m: 0.45, y_m: -1.5, length_m: 3, width_m: 3, height_m: 0.08}}\n";
-  const auto hard = [&](const char* dds, const char* nodes) {
-    return traces_of({"--dds", dds, "--nodes", nodes, "--design", "adaptive", "--scene", scratch.file("hard.yaml")});
+  const auto hard = [&](std::vector<std::string> way) {
+    way.insert(way.end(), {"--design", "adaptive", "--scene", scratch.file("hard.yaml")});
+    return traces_of(way);
   };
-  const Traces reference = hard("inproc", "per-leg");
+  const Traces reference = hard({"--dds", "inproc", "--nodes", "per-leg"});
+  EXPECT_FALSE(reference.of_processes);
   // Twelve joint_nodes over DDS take a minute of two processors and are for the trot on the bench.
-  for (const auto& [dds, nodes] :
-       {std::pair{"cyclone", "per-leg"}, {"fast", "one"}, {"mixed", "per-leg"}, {"inproc", "per-joint"}}) {
-    const Traces other = hard(dds, nodes);
-    EXPECT_TRUE(other.joints == reference.joints) << dds << ", " << nodes;
-    EXPECT_TRUE(other.body == reference.body) << dds << ", " << nodes;
-    EXPECT_TRUE(other.supply == reference.supply) << dds << ", " << nodes;
+  const std::vector<std::string> ways[] = {{},  // cyclone, per-leg: as a plain ./farrier trot
+                                           {"--dds", "fast", "--nodes", "one"},
+                                           {"--dds", "mixed", "--nodes", "per-leg"},
+                                           {"--dds", "inproc", "--nodes", "per-joint"}};
+  for (const std::vector<std::string>& way : ways) {
+    const Traces other = hard(way);
+    SCOPED_TRACE(testing::PrintToString(way));
+    EXPECT_EQ(other.of_processes, way != ways[3]);
+    EXPECT_TRUE(other.joints == reference.joints);
+    EXPECT_TRUE(other.body == reference.body);
+    EXPECT_TRUE(other.supply == reference.supply);
   }
 }
 
