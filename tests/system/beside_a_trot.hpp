@@ -4,14 +4,14 @@
 
 #include <csignal>
 #include <memory>
+#include <thread>
 
 #include "farrier_command.hpp"
 
 namespace farrier::test {
 
-/// Tests beside one trot of both vendors, which runs while the suite does. The parameter is the vendor of the tested
-/// command.
-class BesideATrot : public testing::TestWithParam<const char*> {
+/// Tests beside one trot of both vendors, which runs while the suite does.
+class BesideATrot : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     scratch_ = std::make_unique<ScratchDirectory>();
@@ -28,9 +28,21 @@ class BesideATrot : public testing::TestWithParam<const char*> {
     scratch_.reset();
   }
 
-  /// "--domain" and "--dds" as the trot and the parameter say.
-  static std::vector<std::string> beside() {
-    return {"--domain", std::to_string(trot_->domain()), "--dds", GetParam()};
+  /// "--domain" as the trot has it, and "--dds" with this vendor.
+  static std::vector<std::string> beside(const std::string& vendor) {
+    return {"--domain", std::to_string(trot_->domain()), "--dds", vendor};
+  }
+
+  /// Calls `test` with each vendor of the tested command, both at the same time: the trot takes processors meanwhile.
+  template <class Test>
+  static void for_both_vendors(Test&& test) {
+    const auto with = [&](const char* vendor) {
+      SCOPED_TRACE(vendor);
+      test(vendor);
+    };
+    std::thread other(with, "fast");
+    with("cyclone");
+    other.join();
   }
 
   /// In lock-step the trot takes all of the processors that others leave: the nice value of a third of their share.
@@ -38,6 +50,12 @@ class BesideATrot : public testing::TestWithParam<const char*> {
 
   static inline std::unique_ptr<ScratchDirectory> scratch_;
   static inline std::unique_ptr<FarrierCommand> trot_;
+};
+
+/// Tests with one vendor of the tested command at a time, which is the parameter.
+class BesideATrotByVendor : public BesideATrot, public testing::WithParamInterface<const char*> {
+ protected:
+  static std::vector<std::string> beside() { return BesideATrot::beside(GetParam()); }
 };
 
 }  // namespace farrier::test

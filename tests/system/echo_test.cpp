@@ -17,9 +17,9 @@ class Echo : public BesideATrot {
  protected:
   /// The lines of samples. The output holds standard error too, where echo says after some seconds that nothing comes;
   /// on a busy machine discovery alone may take as long.
-  std::vector<std::string> lines_of(std::vector<std::string> arguments) const {
+  static std::vector<std::string> lines_of(std::vector<std::string> arguments, const std::string& vendor) {
     arguments.insert(arguments.begin(), "echo");
-    const std::vector<std::string> where = beside();
+    const std::vector<std::string> where = beside(vendor);
     arguments.insert(arguments.end(), where.begin(), where.end());
     std::string output;
     EXPECT_EQ(run_farrier(arguments, &output), 0) << output;
@@ -34,52 +34,57 @@ class Echo : public BesideATrot {
   }
 };
 
-TEST_P(Echo, PrintsTheSamplesOfOneJoint) {
-  const auto lines = lines_of({"joint/measurement", "--joint", "rh_kfe", "--count", "5"});
-  ASSERT_EQ(lines.size(), 5u);
-  for (const std::string& line : lines) {
-    EXPECT_TRUE(line.starts_with("joint/measurement: {joint: rh_kfe, tick: ")) << line;
-    EXPECT_TRUE(line.ends_with("}")) << line;
+TEST_F(Echo, PrintsTheSamplesOfOneJoint) {
+  for_both_vendors([](const std::string& vendor) {
+    const auto lines = lines_of({"joint/measurement", "--joint", "rh_kfe", "--count", "5"}, vendor);
+    ASSERT_EQ(lines.size(), 5u);
+    for (const std::string& line : lines) {
+      EXPECT_TRUE(line.starts_with("joint/measurement: {joint: rh_kfe, tick: ")) << line;
+      EXPECT_TRUE(line.ends_with("}")) << line;
+    }
+  });
+}
+
+TEST_F(Echo, GivesALateJoinerTheAnnouncements) {
+  for_both_vendors([](const std::string& vendor) {
+    const auto lines = lines_of({"system/mode", "joint/controller_gains", "--count", "3"}, vendor);
+    ASSERT_EQ(lines.size(), 3u);
+    EXPECT_TRUE(lines[0].find("generation: ") != std::string::npos || lines[0].find("mode: ") != std::string::npos)
+        << lines[0];
+  });
+}
+
+TEST_F(Echo, HearsEveryRouteOfATopic) {
+  for_both_vendors([](const std::string& vendor) {
+    std::set<std::string> joints;
+    for (const std::string& line : lines_of({"joint/sensors", "--count", "200"}, vendor)) {
+      joints.insert(line.substr(0, line.find(',')));
+    }
+    EXPECT_EQ(joints.size(), 12u);
+  });
+}
+
+// One vendor after the other: each command would count the readers of the other's.
+TEST_F(Echo, TopicsListsWritersReadersAndRates) {
+  for (const char* vendor : {"cyclone", "fast"}) {
+    SCOPED_TRACE(vendor);
+    std::string output;
+    std::vector<std::string> arguments = beside(vendor);
+    arguments.insert(arguments.begin(), {"topics", "--json", "--look", "6"});
+    ASSERT_EQ(run_farrier(arguments, &output), 0) << output;
+    std::map<std::string, nlohmann::json> topics;
+    for (const nlohmann::json& topic : nlohmann::json::parse(output)) {
+      topics[topic.at("topic")] = topic;
+    }
+    const nlohmann::json& sensors = topics.at("joint/sensors");
+    EXPECT_EQ(sensors.at("writers").at("cyclone"), 4);  // sim_bridge has one for each leg
+    EXPECT_EQ(sensors.at("readers").at("fast"), 4);     // each leg's joint_node
+    EXPECT_EQ(sensors.at("types"), nlohmann::json{"wire::JointSensors"});
+    EXPECT_GT(sensors.at("rate_hz").get<double>(), 12.0);
+    EXPECT_EQ(topics.at("system/mode").at("writers").at("fast"), 1);
+    EXPECT_EQ(topics.at("joint/model_estimate").at("writers").at("cyclone"), 1);
   }
 }
-
-TEST_P(Echo, GivesALateJoinerTheAnnouncements) {
-  const auto lines = lines_of({"system/mode", "joint/controller_gains", "--count", "3"});
-  ASSERT_EQ(lines.size(), 3u);
-  EXPECT_TRUE(lines[0].find("generation: ") != std::string::npos || lines[0].find("mode: ") != std::string::npos)
-      << lines[0];
-}
-
-TEST_P(Echo, HearsEveryRouteOfATopic) {
-  std::set<std::string> joints;
-  for (const std::string& line : lines_of({"joint/sensors", "--count", "200"})) {
-    joints.insert(line.substr(0, line.find(',')));
-  }
-  EXPECT_EQ(joints.size(), 12u);
-}
-
-TEST_P(Echo, TopicsListsWritersReadersAndRates) {
-  std::string output;
-  ASSERT_EQ(
-      run_farrier({"topics", "--json", "--look", "6", "--domain", std::to_string(trot_->domain()), "--dds", GetParam()},
-                  &output),
-      0)
-      << output;
-  std::map<std::string, nlohmann::json> topics;
-  for (const nlohmann::json& topic : nlohmann::json::parse(output)) {
-    topics[topic.at("topic")] = topic;
-  }
-  const nlohmann::json& sensors = topics.at("joint/sensors");
-  EXPECT_EQ(sensors.at("writers").at("cyclone"), 4);  // sim_bridge has one for each leg
-  EXPECT_EQ(sensors.at("readers").at("fast"), 4);     // each leg's joint_node
-  EXPECT_EQ(sensors.at("types"), nlohmann::json{"wire::JointSensors"});
-  EXPECT_GT(sensors.at("rate_hz").get<double>(), 12.0);
-  EXPECT_EQ(topics.at("system/mode").at("writers").at("fast"), 1);
-  EXPECT_EQ(topics.at("joint/model_estimate").at("writers").at("cyclone"), 1);
-}
-
-INSTANTIATE_TEST_SUITE_P(Over, Echo, testing::Values("cyclone", "fast"),
-                         [](const auto& dds) { return std::string(dds.param); });
 
 TEST(EchoCommand, RefusesWhatItDoesNotKnowAndNamesWhatThereIs) {
   std::string output;

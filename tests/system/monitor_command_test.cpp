@@ -16,10 +16,10 @@ using namespace std::chrono_literals;
 
 class Monitor : public BesideATrot {
  protected:
-  static std::vector<std::string> monitor(const std::vector<std::string>& options) {
+  static std::vector<std::string> monitor(const std::vector<std::string>& options, const std::string& vendor) {
     std::vector<std::string> arguments{"monitor"};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const std::vector<std::string> where = beside();
+    const std::vector<std::string> where = beside(vendor);
     arguments.insert(arguments.end(), where.begin(), where.end());
     return arguments;
   }
@@ -30,51 +30,58 @@ bool has_row(const std::string& text, const std::string& first, const std::strin
   return std::regex_search(text, std::regex("(^|\\n)" + first + " +" + second + " "));
 }
 
-TEST_P(Monitor, PrintsOneTableOfEveryJointAndProcess) {
-  std::string output;
-  ASSERT_EQ(run_farrier(monitor({"--once"}), &output), 0) << output;
-  EXPECT_TRUE(output.starts_with("hyq  armed  tick ")) << output;
-  for (const char* leg : {"lf", "rf", "lh", "rh"}) {
-    for (const char* joint : {"haa", "hfe", "kfe"}) {
-      EXPECT_TRUE(has_row(output, std::string(leg) + '_' + joint, "tracking")) << output;
+TEST_F(Monitor, PrintsOneTableOfEveryJointAndProcess) {
+  for_both_vendors([](const std::string& vendor) {
+    std::string output;
+    ASSERT_EQ(run_farrier(monitor({"--once"}, vendor), &output), 0) << output;
+    EXPECT_TRUE(output.starts_with("hyq  armed  tick ")) << output;
+    for (const char* leg : {"lf", "rf", "lh", "rh"}) {
+      for (const char* joint : {"haa", "hfe", "kfe"}) {
+        EXPECT_TRUE(has_row(output, std::string(leg) + '_' + joint, "tracking")) << output;
+      }
+      EXPECT_TRUE(has_row(output, "joint_node_" + std::string(leg), "fast")) << output;
     }
-    EXPECT_TRUE(has_row(output, "joint_node_" + std::string(leg), "fast")) << output;
-  }
+  });
 }
 
-TEST_P(Monitor, PrintsATableEverySecondWhereThereIsNoTerminal) {
-  FarrierCommand command(monitor({}));
-  // The first table may be of what was heard of by then.
-  const auto until = std::chrono::steady_clock::now() + 30s;
-  while (!has_row(command.output(), "lf_haa", "tracking") && std::chrono::steady_clock::now() < until) {
-    std::this_thread::sleep_for(50ms);
-  }
-  EXPECT_TRUE(has_row(command.output(), "lf_haa", "tracking")) << command.output();
-  command.signal(SIGTERM);
-  EXPECT_EQ(command.wait(10s), 143);
+TEST_F(Monitor, PrintsATableEverySecondWhereThereIsNoTerminal) {
+  for_both_vendors([](const std::string& vendor) {
+    FarrierCommand command(monitor({}, vendor));
+    // The first table may be of what was heard of by then.
+    const auto until = std::chrono::steady_clock::now() + 30s;
+    while (!has_row(command.output(), "lf_haa", "tracking") && std::chrono::steady_clock::now() < until) {
+      std::this_thread::sleep_for(50ms);
+    }
+    EXPECT_TRUE(has_row(command.output(), "lf_haa", "tracking")) << command.output();
+    command.signal(SIGTERM);
+    EXPECT_EQ(command.wait(10s), 143);
+  });
 }
 
-TEST_P(Monitor, ServesMetricsWithoutATerminalAndPrintsNoTable) {
-  const std::uint16_t port = free_port();
-  const std::string address = "127.0.0.1:" + std::to_string(port);
-  FarrierCommand command(monitor({"--prometheus", ":" + std::to_string(port)}));
-  ASSERT_TRUE(command.says("metrics at http://" + address + "/metrics", 30s)) << command.output();
-  const auto until = std::chrono::steady_clock::now() + 30s;
-  std::string metrics;
-  const std::string rate =
-      "farrier_joint_control_rate_hertz{leg=\"lf\",joint=\"lf_haa\"}";  // of two summaries at least
-  while (metrics.find(rate) == std::string::npos && std::chrono::steady_clock::now() < until) {
-    metrics = http_get(port, "/metrics");
-  }
-  EXPECT_NE(metrics.find(rate), std::string::npos) << metrics;
-  EXPECT_NE(metrics.find("# TYPE farrier_joint_missed_ticks_total counter"), std::string::npos) << metrics;
-  std::string output;
-  EXPECT_EQ(run_farrier(monitor({"--prometheus", address}), &output), 2);
-  EXPECT_NE(output.find("--prometheus: cannot listen on " + address + ": Address already in use"), std::string::npos)
-      << output;
-  command.signal(SIGINT);
-  EXPECT_EQ(command.wait(10s), 130);
-  EXPECT_EQ(command.output().find("lf_haa"), std::string::npos) << command.output();
+TEST_F(Monitor, ServesMetricsWithoutATerminalAndPrintsNoTable) {
+  for_both_vendors([](const std::string& vendor) {
+    const std::uint16_t port = free_port();
+    const std::string address = "127.0.0.1:" + std::to_string(port);
+    FarrierCommand command(monitor({"--prometheus", ":" + std::to_string(port)}, vendor));
+    ASSERT_TRUE(command.says("metrics at http://" + address + "/metrics", 30s)) << command.output();
+    const auto until = std::chrono::steady_clock::now() + 30s;
+    std::string metrics;
+    const std::string rate =
+        "farrier_joint_control_rate_hertz{leg=\"lf\",joint=\"lf_haa\"}";  // of two summaries at least
+    while (metrics.find(rate) == std::string::npos && std::chrono::steady_clock::now() < until) {
+      std::this_thread::sleep_for(50ms);
+      metrics = http_get(port, "/metrics");
+    }
+    EXPECT_NE(metrics.find(rate), std::string::npos) << metrics;
+    EXPECT_NE(metrics.find("# TYPE farrier_joint_missed_ticks_total counter"), std::string::npos) << metrics;
+    std::string output;
+    EXPECT_EQ(run_farrier(monitor({"--prometheus", address}, vendor), &output), 2);
+    EXPECT_NE(output.find("--prometheus: cannot listen on " + address + ": Address already in use"), std::string::npos)
+        << output;
+    command.signal(SIGINT);
+    EXPECT_EQ(command.wait(10s), 130);
+    EXPECT_EQ(command.output().find("lf_haa"), std::string::npos) << command.output();
+  });
 }
 
 class StoppedMonitors : public testing::TestWithParam<const char*> {};
@@ -109,9 +116,6 @@ TEST_P(StoppedMonitors, HoldNoWriterBack) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, StoppedMonitors, testing::Values("cyclone", "fast"),
-                         [](const auto& dds) { return std::string(dds.param); });
-
-INSTANTIATE_TEST_SUITE_P(Over, Monitor, testing::Values("cyclone", "fast"),
                          [](const auto& dds) { return std::string(dds.param); });
 
 TEST(MonitorCommand, RefusesWhatItCannotDo) {

@@ -14,7 +14,7 @@ namespace monitor_page_test {
 using namespace std::chrono_literals;
 using nlohmann::json;
 
-class MonitorPage : public BesideATrot {
+class MonitorPage : public BesideATrotByVendor {
  protected:
   static std::vector<std::string> monitor(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "monitor");
