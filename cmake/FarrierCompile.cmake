@@ -53,16 +53,24 @@ endfunction()
 # Tests whose judgement does not depend on the computer's clock. They run at the same time as others, in network
 # namespaces of their own, so that DDS domains and ports never meet.
 set(FARRIER_PARALLEL_TESTS trace_identity_test process_failure_test process_end_test recorded_run_test command_line_test
-  reproduce_test diagnose_test diagnose_scaled_test robots_system_test security_system_test echo_test
+  reproduce_test diagnose_test diagnose_electric_test diagnose_scaled_test robots_system_test security_system_test echo_test
   monitor_command_test monitor_page_test dds_cases_test memory_test outputs_test recording_commands_test
   bench_parts_test surroundings_test prometheus_test three_hosts_test security_bus_test readme_test
   gathering_test ros_node_test ros_command_test ros_ecosystem_test trial_body_test walk_test service_test other_processor_test faults_refusals_test)
 
 # Tests that take longest among those that run at the same time, the longest first. CTest starts them first, also in a clean
 # clone, where it has no times of its own: the last of them then does not run alone at the end.
-set(FARRIER_LONGEST_TESTS readme_test tidy_test scenario_test walk_test trial_body_test process_failure_test
-  security_bus_test echo_test monitor_command_test truth_test trot_trial_test security_system_test prometheus_test
-  trace_identity_test doctor_test blind_trials_test locomotion_test process_end_test robot_test reproduce_test)
+set(FARRIER_LONGEST_TESTS walk_test tidy_test process_failure_test security_system_test trot_trial_test
+  trace_identity_test trial_body_test security_bus_test monitor_command_test scenario_test echo_test doctor_test
+  ros_command_test locomotion_test truth_test prometheus_test readme_test blind_trials_test diagnosis_test
+  three_hosts_test recorded_run_test robot_test process_end_test completion_test reproduce_test format_test
+  controller_test wiring_trials_test command_line_test)
+
+# Tests that keep a processor busy from begin to end. Each takes two places of CTest; those that mostly wait take one.
+# ./farrier test has six places for two processors.
+set(FARRIER_BUSY_TESTS walk_test tidy_test trot_trial_test trial_body_test scenario_test locomotion_test truth_test
+  readme_test blind_trials_test diagnosis_test robot_test reproduce_test format_test controller_test wiring_trials_test
+  bench_test body_engine_test)
 
 # farrier_test_entry(NAME LABEL EXECUTABLE ARGUMENTS...) has CTest run a test executable as <LABEL>/<NAME>; the target
 # tier_<LABEL> builds it. Tests that start processes or hold leases of a few milliseconds have the machine to themselves,
@@ -82,6 +90,9 @@ function(farrier_test_entry name label executable)
   if(place GREATER_EQUAL 0)
     math(EXPR cost "100 - ${place}")
     set_tests_properties(${label}/${name} PROPERTIES COST ${cost})
+  endif()
+  if(name IN_LIST FARRIER_BUSY_TESTS)
+    set_tests_properties(${label}/${name} PROPERTIES PROCESSORS 2)
   endif()
   if(FARRIER_SANITIZE)
     set(asan_options new_delete_type_mismatch=1)
