@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
+#include <utility>
 
 #include "estimation/poles.hpp"
 #include "thesis/rig/cycle_estimates.hpp"
@@ -17,9 +20,19 @@ constexpr double kForgetting = 0.85;  // 6.3: "all use"
 /// A picture shows the run of the study's seed; a figure is the median of as many runs.
 constexpr std::uint64_t kRuns = 15;
 
-CycleEstimates estimates_of(const StudyContext& context, double opening, std::uint64_t run = 0) {
-  return {thesis::drive(thesis::walking_cycle(), true, opening, context.seed + run), thesis::walking_cycle(),
-          kForgetting};
+/// Estimates of a run, which depend on its opening and on the seed of its noise alone. Most claims and seeds share runs, so
+/// each is made once and kept.
+const CycleEstimates& estimates_of(const StudyContext& context, double opening, std::uint64_t run = 0) {
+  static std::mutex one_at_a_time;
+  static std::map<std::pair<double, std::uint64_t>, CycleEstimates> made;
+  const std::lock_guard guard(one_at_a_time);
+  const std::pair<double, std::uint64_t> key(opening, context.seed + run);
+  auto place = made.find(key);
+  if (place == made.end()) {
+    const auto samples = thesis::drive(thesis::walking_cycle(), true, opening, key.second);
+    place = made.try_emplace(key, samples, thesis::walking_cycle(), kForgetting).first;
+  }
+  return place->second;
 }
 
 /// Median of `value` over runs with a noise of their own.
@@ -64,7 +77,7 @@ Result<StudyResult> run_ideal(const StudyContext& context) {
     return over_runs(context, thesis::kSmallOpening,
                      [&](const CycleEstimates& one) { return one.converged_ms(section); });
   };
-  const CycleEstimates shown = estimates_of(context, thesis::kSmallOpening);
+  const CycleEstimates& shown = estimates_of(context, thesis::kSmallOpening);
   const Response at = shown.true_response(2, std::vector<double>{1.0, 499.999});
   StudyResult result;
   result.measured = {
@@ -102,11 +115,11 @@ double pair_distance(const CycleEstimates& estimates, std::size_t section) {
 }
 
 Result<StudyResult> run_poles(const StudyContext& context) {
-  const CycleEstimates shown = estimates_of(context, thesis::kSmallOpening);
+  const CycleEstimates& shown = estimates_of(context, thesis::kSmallOpening);
   double outside = 0.0;
   std::vector<double> ratios;
   for (std::uint64_t run = 0; run < kRuns; ++run) {
-    const CycleEstimates one = estimates_of(context, thesis::kSmallOpening, run);
+    const CycleEstimates& one = estimates_of(context, thesis::kSmallOpening, run);
     for (const control::DiscreteModel& model : one.models(1)) {
       outside += std::abs(complex_pole(model.a)) > 1.0 ? 1.0 : 0.0;
     }
@@ -168,7 +181,7 @@ Result<StudyResult> run_mass(const StudyContext& context) {
                          return one.mass_converged_ms(section) - one.converged_ms(section);
                        })));
   }
-  const CycleEstimates shown = estimates_of(context, thesis::kSmallOpening);
+  const CycleEstimates& shown = estimates_of(context, thesis::kSmallOpening);
   StudyResult result;
   result.measured = {
       {"6.4.section_1", over([](const CycleEstimates& one) { return one.largest_mass_error(0, 0); }),
