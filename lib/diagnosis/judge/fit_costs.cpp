@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 #include "diagnosis/judge/lane_slopes.hpp"
 
@@ -36,6 +37,11 @@ class SideCost : public ceres::CostFunction {
       return finite(residual);
     }
     const std::size_t columns = free_.size();
+    if (std::equal(last_.at.begin(), last_.at.end(), parameters[0], parameters[0] + columns)) {
+      std::ranges::copy(last_.residual, residual);
+      std::ranges::copy(last_.jacobian, jacobians[0]);
+      return true;
+    }
     std::fill_n(jacobians[0], span_.size() * columns, 0.0);
     put(simulate_with_slopes(simulator_, span_, model, channel_, options_.observer, free_,
                              [&](std::size_t sample, std::size_t number, double slope) {
@@ -43,7 +49,13 @@ class SideCost : public ceres::CostFunction {
                                  jacobians[0][sample * columns + number] = -scale_ * slope;
                                }
                              }));
-    return finite(residual);
+    if (!finite(residual)) {
+      return false;
+    }
+    last_.at.assign(parameters[0], parameters[0] + columns);
+    last_.residual.assign(residual, residual + span_.size());
+    last_.jacobian.assign(jacobians[0], jacobians[0] + span_.size() * columns);
+    return true;
   }
 
  private:
@@ -60,6 +72,11 @@ class SideCost : public ceres::CostFunction {
   const FitOptions& options_;
   std::size_t skip_;
   double scale_;
+  /// The last derivatives. A fit's deviations need those of its last step again.
+  struct Last {
+    std::vector<double> at, residual, jacobian;
+  };
+  mutable Last last_;
 };
 
 /// Pull of the nominal factors towards one.

@@ -9,6 +9,12 @@
 #include "plant/terms/load_effects.hpp"
 
 namespace farrier::diagnosis {
+namespace {
+
+/// Difference of scores of a set's fits that go on from different ones.
+constexpr double kSameScore = 1e-3;
+
+}  // namespace
 
 bool at_bound(plant::EffectId id, const Estimate& estimate) {
   const plant::Parameter& first = plant::effect_info(id).parameters[0];
@@ -86,10 +92,22 @@ double Selection::score(const Hypothesis& hypothesis) const {
 
 void Selection::grow() {
   ChannelMask open = chosen_.effects.empty() ? above_noise_ : open_channels();
-  for (std::size_t round = 0; round < 2 * rules_.most_effects && meet(open, open) && add(open); ++round) {
+  for (std::size_t round = 0; round < 2 * rules_.most_effects && meet(open, open); ++round) {
+    if (reached_before() || !add(open)) {
+      return;
+    }
     prune();
     open = open_channels();
   }
+}
+
+bool Selection::reached_before() {
+  std::vector<plant::EffectId> set = chosen_.effects;
+  std::ranges::sort(set);
+  const double now = score(chosen_);
+  const auto [known, is_new] = reached_.try_emplace(std::move(set), now);
+  const double was = std::exchange(known->second, std::max(known->second, now));
+  return !is_new && now < was + kSameScore;
 }
 
 void Selection::grow_from_others() {

@@ -38,7 +38,8 @@ class Selection {
   /// All outlive this.
   Selection(const Bench& bench, const ExpectedResiduals& expected, const Rules& rules, const ForEach& for_each);
 
-  /// Adds effects while a channel is open and one is accepted; removes those that later ones made needless.
+  /// Adds effects while a channel is open and one is accepted; removes those that later ones made needless. Ends at a set from
+  /// which an earlier growth went on.
   void grow();
   /// Grows sets from the other effects that were accepted at first, too, and keeps the one that explains most. A wrong first
   /// effect may stand for two or three right ones.
@@ -114,6 +115,8 @@ class Selection {
   bool adds_to(const Hypothesis& less, const Hypothesis& with, bool once = false) const;
   /// Pairs beside `from` that explain open channels and each of which is needed, fitted, the best first.
   std::vector<Hypothesis> pairs_beside(const Hypothesis& from, const ChannelMask& open) const;
+  /// True if the chosen set was reached before with as good a fit. Notes that it is now.
+  bool reached_before();
   /// Grows from a set and keeps the result if it explains more than the chosen one.
   void try_growing_from(const Hypothesis& first);
   /// The chosen hypothesis with rivals in the place of an effect, each with its name: those that a linear step promises to
@@ -164,7 +167,8 @@ class Selection {
   std::vector<Hypothesis> first_;                  ///< accepted in the first round, the best first
   std::map<plant::EffectId, Hypothesis> without_;  ///< by effect, of the chosen hypothesis as it is
   std::vector<std::vector<Candidate>> rounds_;
-  std::vector<plant::EffectId> once_;  ///< that add_once added
+  std::map<std::vector<plant::EffectId>, double> reached_;  ///< best score of each set that growths reached, sorted
+  std::vector<plant::EffectId> once_;                       ///< that add_once added
   /// Numbers of the second effect of a pair, by half, where both explained nearly the same when one was added.
   std::map<std::pair<plant::EffectId, plant::EffectId>, std::array<std::vector<double>, 2>> rivals_;
   std::vector<Tie> ties_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 namespace farrier::diagnosis {
 
 /// Constants of a joint that a fit may move within 3 %; SI, actuator coordinates, as in plant::ActuatorParams.
@@ -16,6 +18,16 @@ double value_of(const T& number) noexcept {
     return number.a;
   } else {
     return number;
+  }
+}
+
+/// A function of x and y for its value and both partial derivatives there.
+template <class T>
+T chained(double value, double by_x, const T& x, double by_y, const T& y) {
+  if constexpr (std::is_same_v<T, double>) {
+    return value;
+  } else {
+    return T(value, by_x * x.v + by_y * y.v);
   }
 }
 

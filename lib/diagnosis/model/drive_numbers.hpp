@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -65,25 +66,42 @@ bool touches(const DriveNumbers<T>& n, const T& bent) {
   return !n.plays || bent > n.half_play || bent < -n.half_play;
 }
 
-/// The midpoint rule, linear about the bend that the speed apart, w - v, now leads to amid the step.
+/// Slope of the torque of gear and spring over a step where it touches.
 template <class T>
-GearStep<T> gear_step(const DriveNumbers<T>& n, const T& bent, const T& apart, double step_s) {
-  const T middle = bent + 0.5 * step_s * apart;
-  if (!touches(n, middle)) {
-    return {T(0.0), T(0.0)};
-  }
-  const T along = 0.5 * step_s * n.stiffness;
-  return {spring_torque(n, middle) - along * apart, along + n.relaxation};
+T gear_slope(const DriveNumbers<T>& n, double step_s) {
+  return 0.5 * step_s * n.stiffness + n.relaxation;
 }
 
-/// Dry friction T_c phi of the file over a step: hold + slope w, linear about the speed now.
+/// The midpoint rule, linear about the bend that the speed apart, w - v, now leads to amid the step. `slope` is gear_slope().
+template <class T>
+GearStep<T> gear_step(const DriveNumbers<T>& n, const T& bent, double apart, double step_s, const T& slope) {
+  if (!n.plays) {
+    return {n.stiffness * bent, slope};
+  }
+  const double middle = value_of(bent) + 0.5 * step_s * apart;
+  const double half_play = value_of(n.half_play);
+  return middle > half_play    ? GearStep<T>{n.stiffness * (bent - n.half_play), slope}
+         : middle < -half_play ? GearStep<T>{n.stiffness * (bent + n.half_play), slope}
+                               : GearStep<T>{T(0.0), T(0.0)};
+}
+
+/// Dry friction T_c phi of the file over a step: hold + slope w, linear about the speed now. With phi = w / sqrt(w^2 + s^2),
+/// the derivatives are phi' = s^2 / (w^2 + s^2)^1.5 and phi'' = -3 w phi' / (w^2 + s^2).
 template <class T>
 GearStep<T> dry_step(const DriveNumbers<T>& n, const T& speed) {
-  using std::sqrt;
-  const T square = speed * speed + n.slip_velocity * n.slip_velocity;
-  const T root = sqrt(square);
-  const T slope = n.coulomb * (n.slip_velocity * n.slip_velocity) / (square * root);
-  return {n.coulomb * speed / root - slope * speed, slope};
+  const double coulomb = value_of(n.coulomb);
+  if (coulomb == 0.0) {
+    return {T(0.0), T(0.0)};
+  }
+  const double w = value_of(speed);
+  const double s = n.slip_velocity;
+  const double square = w * w + s * s;
+  const double root = std::sqrt(square);
+  const double steep = s * s / (square * root);
+  const double bend = -3.0 * w * steep / square;
+  const double hold = w / root - steep * w;
+  return {chained(coulomb * hold, -coulomb * w * bend, speed, hold, n.coulomb),
+          chained(coulomb * steep, coulomb * bend, speed, steep, n.coulomb)};
 }
 
 /// Scale on gear_stiffness at which a rigid drive with play meets its flanks: 400 Hz of the rotor.

@@ -52,6 +52,14 @@ class DriveSimulation {
     speed_ = T(data.velocity[begin]);
     lagged_A_ = admitted(command_.mean(begin), data.velocity[begin]);
     current_A_ = (torque_ + numbers.damping * speed_) / numbers.constant;
+    const T inertia = 2.0 / h * numbers.inductance;
+    const T per_volt = 1.0 / (inertia + numbers.resistance);
+    of_current_ = inertia * per_volt;
+    of_command_ = numbers.resistance * per_volt;
+    beta_ = numbers.constant * per_volt;
+    mass_ = 2.0 / h * numbers.rotor;
+    resists_ = mass_ + numbers.constant * beta_ + numbers.damping;
+    gear_slope_ = gear_slope(numbers, h);
   }
 
   /// Torque at the sensor, at sample k, the current one.
@@ -80,8 +88,9 @@ class DriveSimulation {
 
   /// Advances to sample k + 1, the torque drawn by `pull` of its error, the measured less the read.
   void advance(std::size_t k, const T& error, double pull) {
-    std::array<T, kParts> means;
-    advance(k, means);
+    for (std::size_t j = 0; j < kSubsteps; ++j) {
+      substep(k, j, nullptr);
+    }
     shift(pull * error / sensor_gain_);
   }
   /// Advances to sample k + 1; `means` gets the mean torque over equal parts of the period.
@@ -90,14 +99,25 @@ class DriveSimulation {
     for (std::size_t part = 0; part < kParts; ++part) {
       means[part] = T(0.0);
       for (std::size_t j = part * kEach; j < (part + 1) * kEach; ++j) {
-        const auto [position, speed] = motion(k, j);
-        const T now = command_.mean(k, j, kSubsteps);
-        means[part] += (n_->rigid ? rigid_step(now, speed) : step(now, position, speed)) / static_cast<double>(kEach);
+        T mean;
+        substep(k, j, &mean);
+        means[part] += mean / static_cast<double>(kEach);
       }
     }
   }
 
  private:
+  /// Part j of the period from sample k on. `mean_torque`, if any, gets the mean torque over it.
+  void substep(std::size_t k, std::size_t j, T* mean_torque) {
+    const auto [position, speed] = motion(k, j);
+    const T now = command_.mean(k, j, kSubsteps);
+    if (n_->rigid) {
+      rigid_step(now, speed, mean_torque);
+    } else {
+      step(now, position, speed, mean_torque);
+    }
+  }
+
   /// Load's position amid a substep and its mean speed over it: the cubic through both samples' motion (Hermite).
   std::array<double, 2> motion(std::size_t k, std::size_t part) const {
     const JointData& data = *data_;
@@ -116,17 +136,16 @@ class DriveSimulation {
 
   /// The command within the drive's limits, at a speed of the load.
   T admitted(const T& command_A, double speed) const {
-    T most = n_->limit_A;
-    T least = -n_->limit_A;
-    if (n_->rigid) {
-      // R u + N K v within +-V_max
-      const double ohm = value_of(n_->resistance);
-      const double back_V = value_of(n_->reading_Nm_A) * speed;
-      const double high = std::clamp((n_->voltage_V - back_V) / ohm, -n_->most_A, n_->most_A);
-      const double low = std::clamp((-n_->voltage_V - back_V) / ohm, -n_->most_A, n_->most_A);
-      most = most < high ? most : T(high);
-      least = least > low ? least : T(low);
+    if (!n_->rigid) {
+      return command_A > n_->limit_A ? n_->limit_A : command_A < -n_->limit_A ? T(-n_->limit_A) : command_A;
     }
+    // R u + N K v within +-V_max
+    const double ohm = value_of(n_->resistance);
+    const double back_V = value_of(n_->reading_Nm_A) * speed;
+    const double high = std::clamp((n_->voltage_V - back_V) / ohm, -n_->most_A, n_->most_A);
+    const double low = std::clamp((-n_->voltage_V - back_V) / ohm, -n_->most_A, n_->most_A);
+    const T most = n_->limit_A < high ? n_->limit_A : T(high);
+    const T least = -n_->limit_A > low ? T(-n_->limit_A) : T(low);
     return command_A > most ? most : command_A < least ? least : command_A;
   }
 
@@ -140,43 +159,50 @@ class DriveSimulation {
     return command_A + mean_keep_ * off;
   }
 
-  T rigid_step(const T& command_A, double speed) {
+  void rigid_step(const T& command_A, double speed, T* mean_torque) {
     const T wanted = n_->reading_Nm_A * admitted(command_A, speed);
     const T off = torque_ - wanted;
     torque_ = wanted + keep_ * off;
-    return wanted + mean_keep_ * off;
+    if (mean_torque != nullptr) {
+      *mean_torque = wanted + mean_keep_ * off;
+    }
   }
 
-  T step(const T& command_A, double position, double load_speed) {
+  void step(const T& command_A, double position, double load_speed, T* mean_torque) {
     const DriveNumbers<T>& n = *n_;
     const double h = step_of(*data_);
-    const T u = lagged(admitted(command_A, load_speed));
     // Mean current i = alpha - beta w: (2 L / h) (i - i_0) = R (u - i) - N K w.
-    const T inertia = 2.0 / h * n.inductance;
-    const T per_volt = 1.0 / (inertia + n.resistance);
-    const T alpha = (inertia * current_A_ + n.resistance * u) * per_volt;
-    const T beta = n.constant * per_volt;
-    const GearStep<T> gear = gear_step(n, bent_, T(speed_ - load_speed), h);
-    GearStep<T> dry = dry_step(n, speed_);
+    const T alpha = of_current_ * current_A_ + of_command_ * lagged(admitted(command_A, load_speed));
+    const GearStep<T> gear = gear_step(n, bent_, value_of(speed_) - load_speed, h, gear_slope_);
+    // (2 J N^2 / h) (w - w_0) = N K i - d_r w - friction - cogging - T.
+    T push = mass_ * speed_ + n.constant * alpha - gear.base + gear.slope * load_speed;
+    T resists = resists_ + gear.slope;
+    if (n.coulomb != 0.0) {
+      const GearStep<T> dry = dry_step(n, speed_);
+      push -= dry.base;
+      resists += dry.slope;
+    }
+    if (n.cogs) {
+      push += n.cogging_torque(bent_ + position);
+    }
     if (friction_) {
       plant::LoadMoment<T> contact{};
       contact.velocity = speed_;
       friction_->on_load(contact);
-      dry.base += contact.hold;
-      dry.slope += contact.slope;
+      push -= contact.hold;
+      resists += contact.slope;
     }
-    // (2 J N^2 / h) (w - w_0) = N K i - d_r w - friction - cogging - T.
-    const T mass = 2.0 / h * n.rotor;
-    const T push = mass * speed_ + n.constant * alpha - dry.base + n.cogging_torque(bent_ + position) - gear.base +
-                   gear.slope * load_speed;
-    const T mean = push / (mass + n.constant * beta + n.damping + dry.slope + gear.slope);
+    const T mean = push / resists;
     if (friction_) {
       friction_->after_load(mean);
     }
-    current_A_ += 2.0 * (alpha - beta * mean - current_A_);
-    speed_ += 2.0 * (mean - speed_);
-    bent_ += h * (mean - load_speed);
-    return gear.base + gear.slope * (mean - load_speed);
+    const T apart = mean - load_speed;
+    current_A_ = 2.0 * (alpha - beta_ * mean) - current_A_;
+    speed_ = 2.0 * mean - speed_;
+    bent_ += h * apart;
+    if (mean_torque != nullptr) {
+      *mean_torque = gear.base + gear.slope * apart;
+    }
   }
 
   const JointData* data_;
@@ -186,7 +212,9 @@ class DriveSimulation {
   DelayedCommand<T> command_;
   T sensor_gain_ = T(1.0);
   T keep_ = T(0.0), mean_keep_ = T(0.0);  ///< of the lag: after a substep, and on its mean
-  T torque_ = T(0.0);                     ///< of a rigid drive
+  T of_current_, of_command_, beta_;      ///< mean current of a substep: shares of both, and the loss per speed
+  T mass_, resists_, gear_slope_;  ///< mean speed of a substep: of the rotor, all but friction and gear, and of these
+  T torque_ = T(0.0);              ///< of a rigid drive
   T bent_ = T(0.0), speed_ = T(0.0), current_A_ = T(0.0), lagged_A_ = T(0.0);
 };
 

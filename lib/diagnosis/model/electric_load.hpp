@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <type_traits>
 
 #include "diagnosis/model/constants.hpp"
 #include "diagnosis/model/drive_simulation.hpp"
@@ -17,16 +19,18 @@ struct LoadNumbers {
 };
 
 /// Simulates the load of an electric joint from a sample on, driven by the measured torque. The rotor of a rigid
-/// drive moves with the load, or at the other end of a soft gear. A copy continues from the state of the original.
-template <class T>
+/// drive moves with the load, or at the other end of a soft gear. A copy continues from the state of the original. The drive
+/// that bends the torque is simulated with numbers D: double if no derivative is by a number that it depends on.
+template <class T, class D = T>
 class ElectricLoad {
  public:
   /// Starts in the measured motion. The references must outlive this.
   ElectricLoad(const JointData& data, const DriveNumbers<T>& numbers, const LoadNumbers<T>& load,
-               const plant::TermSet<T>& terms, std::size_t begin)
+               const plant::TermSet<T>& terms, const DriveNumbers<D>& drive, const plant::TermSet<D>& drive_terms,
+               std::size_t begin)
       : data_(&data), n_(&numbers), c_(&load), terms_(terms), torque_(data, terms, begin) {
     if (!data.current_A.empty()) {
-      drive_.emplace(data, numbers, terms, begin);
+      drive_.emplace(data, drive, drive_terms, begin);
     }
     settle(begin);
   }
@@ -93,7 +97,7 @@ class ElectricLoad {
   /// Rotor and load, each at its end of the gear. Mean speed of the rotor: w = a + b v.
   void move_apart(plant::LoadMoment<T>& load, const T& torque, double h) {
     const GearStep<T> dry = dry_step(*n_, rotor_);
-    const GearStep<T> gear = gear_step(*n_, bent_, T(rotor_ - v_), h);
+    const GearStep<T> gear = gear_step(*n_, bent_, value_of(rotor_) - value_of(v_), h, gear_slope(*n_, h));
     const T mass = 2.0 / h * n_->rotor;
     const T along = 1.0 / (mass + n_->damping + dry.slope + gear.slope);
     const T a = (mass * rotor_ + torque - dry.base - gear.base) * along;
@@ -113,15 +117,24 @@ class ElectricLoad {
   Parts torques(std::size_t k) { return torque_.advance(k, drive_ ? bend_by_drive(k) : bend_by_samples(k)); }
 
   Parts bend_by_drive(std::size_t k) {
-    drive_->shift(torque_.now() - drive_->torque(k));
-    const T from = drive_->torque(k);
+    drive_->shift(of_drive(torque_.now()) - drive_->torque(k));
+    const D from = drive_->torque(k);
+    std::array<D, kParts> means;
+    drive_->advance(k, means);
+    const D to = drive_->torque(std::min(k + 1, data_->size() - 1));
     Parts bend;
-    drive_->advance(k, bend);
-    const T to = drive_->torque(std::min(k + 1, data_->size() - 1));
     for (std::size_t j = 0; j < kParts; ++j) {
-      bend[j] -= from + (static_cast<double>(j) + 0.5) / kParts * (to - from);
+      bend[j] = T(means[j] - (from + (static_cast<double>(j) + 0.5) / kParts * (to - from)));
     }
     return bend;
+  }
+
+  static D of_drive(const T& number) {
+    if constexpr (std::is_same_v<T, D>) {
+      return number;
+    } else {
+      return D(value_of(number));
+    }
   }
 
   /// The parabola of the mean second difference about the period.
@@ -143,7 +156,7 @@ class ElectricLoad {
   const DriveNumbers<T>* n_;
   const LoadNumbers<T>* c_;
   plant::TermSet<T> terms_;
-  std::optional<DriveSimulation<T>> drive_;
+  std::optional<DriveSimulation<D>> drive_;
   T x_, v_;
   T rotor_, bent_;         ///< speed of the rotor, and its way ahead of the load
   SensedForce<T> torque_;  ///< at the sensor

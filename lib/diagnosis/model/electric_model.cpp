@@ -152,8 +152,9 @@ std::vector<T> ElectricModel::run(const JointData& data, Span span, const std::a
     case Channel::kForce:
       return run_drive<T>(data, span, DriveSimulation<T>(data, joint.drive, joint.terms, span.begin), observer.oil_s);
     case Channel::kMotion:
-      return run_load<T>(data, span, ElectricLoad<T>(data, joint.drive, joint.load, joint.terms, span.begin),
-                         observer.load_s);
+      return run_load<T>(
+          data, span, ElectricLoad<T>(data, joint.drive, joint.load, joint.terms, joint.drive, joint.terms, span.begin),
+          observer.load_s);
     case Channel::kVelocitySensor:
       break;
   }
@@ -168,8 +169,34 @@ std::vector<double> ElectricModel::simulate(const JointData& data, Span span, co
 std::vector<double> ElectricModel::simulate_lanes(const JointData& data, Span span, const Model& model, Channel channel,
                                                   const Observer& observer, const std::vector<std::size_t>& lanes,
                                                   std::vector<double>& jacobian) const {
-  const auto jets = run<Jet>(data, span, factor_jets(model, lanes), effect_jets(model, lanes), channel, observer);
-  return values_and_jacobian(jets, lanes.size(), jacobian);
+  const std::array<Jet, kNominals> factors = factor_jets(model, lanes);
+  const EffectNumbers<Jet> effects = effect_jets(model, lanes);
+  if (channel != Channel::kMotion || moves_drive(model, lanes)) {
+    return values_and_jacobian(run<Jet>(data, span, factors, effects, channel, observer), lanes.size(), jacobian);
+  }
+  const Parts<double> drive = parts<double>(data, model.factors, effect_numbers(model));
+  const Parts<Jet> joint = parts(data, factors, effects);
+  const ElectricLoad<Jet, double> load(data, joint.drive, joint.load, joint.terms, drive.drive, drive.terms,
+                                       span.begin);
+  return values_and_jacobian(run_load<Jet>(data, span, load, observer.load_s), lanes.size(), jacobian);
+}
+
+bool ElectricModel::moves_drive(const Model& model, const std::vector<std::size_t>& lanes) const noexcept {
+  const auto has = [&](std::size_t place) { return std::ranges::find(lanes, place) != lanes.end(); };
+  for (std::size_t i = 0; i < kNominals; ++i) {
+    if (has(i) && nominal_channels(i)[0]) {
+      return true;
+    }
+  }
+  std::size_t place = kNominals;
+  for (const Model::Effect& effect : model.effects) {
+    for (std::size_t i = 0; i < effect.fitted.size(); ++i, ++place) {
+      if (has(place) && channels(effect.id)[0]) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 std::vector<double> ElectricModel::errors_ahead(const JointData& data, Span span, const Model& model, Channel channel,
@@ -179,7 +206,8 @@ std::vector<double> ElectricModel::errors_ahead(const JointData& data, Span span
              ? drive_errors_ahead(data, span, DriveSimulation<double>(data, joint.drive, joint.terms, span.begin),
                                   observer.oil_s, steps, every)
              : load_errors_ahead(data, span,
-                                 ElectricLoad<double>(data, joint.drive, joint.load, joint.terms, span.begin),
+                                 ElectricLoad<double>(data, joint.drive, joint.load, joint.terms, joint.drive,
+                                                      joint.terms, span.begin),
                                  observer.load_s, steps, every);
 }
 

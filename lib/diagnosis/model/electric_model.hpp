@@ -47,6 +47,8 @@ class ElectricModel final : public JointSides {
   struct Parts;
   template <class T>
   Parts<T> parts(const JointData& data, const std::array<T, kNominals>& factors, const EffectNumbers<T>& effects) const;
+  /// True if a lane is by a number on which the torque at the sensor depends.
+  bool moves_drive(const Model& model, const std::vector<std::size_t>& lanes) const noexcept;
   template <class T>
   std::vector<T> run(const JointData& data, Span span, const std::array<T, kNominals>& factors,
                      const EffectNumbers<T>& effects, Channel channel, const Observer& observer) const;

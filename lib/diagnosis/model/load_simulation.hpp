@@ -19,7 +19,8 @@ template <class T>
 T mean_speed(const plant::LoadMoment<T>& load, const T& x, const T& v, const T& force, double h) {
   const T along = load.damping + load.slope + 0.5 * h * load.stiffness;
   const T push = force + load.external_force - load.stiffness * (x - load.slack_position) - load.hold;
-  return (2.0 / h * load.mass * v + push) / (2.0 / h * load.mass + along);
+  const T mass = 2.0 / h * load.mass;
+  return (mass * v + push) / (mass + along);
 }
 
 /// Simulates the load from a sample on, driven by the measured force. A copy continues from the state of the original.

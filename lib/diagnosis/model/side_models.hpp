@@ -97,11 +97,10 @@ class OilSimulation {
     const bool extends = valve.opening_A > 0.0;
     const T conductance = c.valve_gain * valve.flow_factor * abs(valve.opening_A);
 
-    const T hydraulic = plant::hydraulic_force(c, p_a_, p_b_);
     plant::OilMoment<T> oil{p_a_,
                             p_b_,
                             supply_flow_,
-                            value_of(hydraulic),
+                            value_of(c.area_a) * value_of(p_a_) - value_of(c.area_b) * value_of(p_b_),
                             value_of(c.bulk_modulus_Pa),
                             c.supply_pressure_Pa,
                             T(0.0),
@@ -111,8 +110,8 @@ class OilSimulation {
                             value_of(c.return_pressure_Pa)};
     terms_.on_oil(oil);
     const auto ports = plant::port_pressures(extends, oil.supply_pressure_Pa, T(c.return_pressure_Pa));
-    const auto a = plant::port_flow<T>(conductance, ports.a_Pa - p_a_, c.laminar_pressure_Pa);
-    const auto b = plant::port_flow<T>(conductance, ports.b_Pa - p_b_, c.laminar_pressure_Pa);
+    const auto a = port_flow(conductance, T(ports.a_Pa - p_a_), c.laminar_pressure_Pa);
+    const auto b = port_flow(conductance, T(ports.b_Pa - p_b_), c.laminar_pressure_Pa);
     supply_flow_ = extends ? a.flow : b.flow;
     supply_flow_ = supply_flow_ > 0.0 ? supply_flow_ : T(0.0);
 
@@ -120,18 +119,38 @@ class OilSimulation {
                                             plant::chamber_volumes(c, data.middle_position[sub]));
     const T stiff_a = c.bulk_modulus_Pa / ((1.0 + c.bulk_modulus_Pa * oil.softness_a) * v_a);
     const T stiff_b = c.bulk_modulus_Pa / ((1.0 + c.bulk_modulus_Pa * oil.softness_b) * v_b);
-    plant::PlayMoment<T> play{hydraulic - c.piston_damping * speed - c.piston_mass * data.acceleration[k],
-                              c.piston_damping, c.area_a * c.area_a * stiff_a + c.area_b * c.area_b * stiff_b, h,
-                              T(0.0)};
-    terms_.on_play(play);
-    const T piston_speed = speed + play.moved / h;
+    const T piston_speed =
+        terms_.template find<plant::Backlash>() != nullptr ? speed_with_play(k, speed, stiff_a, stiff_b) : T(speed);
     const T rate_a =
         plant::pressure_rate<T>(stiff_a, a.flow + oil.into_a_m3_s - oil.leakage_m3_s, c.area_a * piston_speed);
     const T rate_b =
         plant::pressure_rate<T>(stiff_b, b.flow + oil.into_b_m3_s + oil.leakage_m3_s, -c.area_b * piston_speed);
     // Exponential Euler of Rosenbrock's kind (Hochbruck, Ostermann 2010, (1.1)): exact for a linear port.
-    p_a_ += h * decaying_share(h * value_of(stiff_a * a.slope)) * rate_a;
-    p_b_ += h * decaying_share(h * value_of(stiff_b * b.slope)) * rate_b;
+    p_a_ += h * decaying_share(h * value_of(stiff_a) * a.slope) * rate_a;
+    p_b_ += h * decaying_share(h * value_of(stiff_b) * b.slope) * rate_b;
+  }
+
+  /// Flow of a port and its slope; no derivative of the slope is needed.
+  struct Port {
+    T flow;
+    double slope;
+  };
+  static Port port_flow(const T& gain, const T& drop_Pa, double laminar_pressure_Pa) {
+    const double drop = value_of(drop_Pa);
+    const auto port = plant::port_flow<double>(value_of(gain), drop, laminar_pressure_Pa);
+    const double per_gain = plant::orifice_root(drop, laminar_pressure_Pa);
+    return {chained(port.flow, per_gain, gain, port.slope, drop_Pa), port.slope};
+  }
+
+  /// Mean speed of the piston over a substep, at `speed` of the load.
+  T speed_with_play(std::size_t k, double speed, const T& stiff_a, const T& stiff_b) {
+    const Constants<T>& c = *c_;
+    const double h = data_->step_s();
+    plant::PlayMoment<T> play{
+        plant::hydraulic_force(c, p_a_, p_b_) - c.piston_damping * speed - c.piston_mass * data_->acceleration[k],
+        c.piston_damping, c.area_a * c.area_a * stiff_a + c.area_b * c.area_b * stiff_b, h, T(0.0)};
+    terms_.on_play(play);
+    return speed + play.moved / h;
   }
 
   const JointData* data_;
