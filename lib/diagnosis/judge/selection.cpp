@@ -126,6 +126,12 @@ void Selection::grow_from_others() {
       try_growing_from(first_[i]);
     }
   }
+  for (const Hypothesis& first : first_of_channel_) {
+    const plant::EffectId id = first.effects.back();
+    if (meet(open_channels(), bench_.simulator().channels(id)) && !holds(chosen_, id)) {
+      try_growing_from(first);
+    }
+  }
 }
 
 void Selection::try_growing_from(const Hypothesis& first) {
@@ -134,6 +140,7 @@ void Selection::try_growing_from(const Hypothesis& first) {
   rounds_.resize(1);
   choose(bench_.refined(first));
   prune();
+  regrows_ = true;
   grow();
   if (score(chosen_) <= score(best)) {
     choose(best);
@@ -250,6 +257,13 @@ bool Selection::add(const ChannelMask& open) {
       }
     }
     std::ranges::sort(first_, std::greater{}, [&](const Hypothesis& h) { return score(h); });
+  } else if (!regrows_) {
+    for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
+      const bool is_first = std::ranges::none_of(chosen_.effects, [&](auto other) { return may_be_rivals(id, other); });
+      if (tried[id].accepted && id != best && is_first) {
+        first_of_channel_.push_back(*tried[id].hypothesis);
+      }
+    }
   }
   if (best == plant::kNameableCount) {
     return add_once(open);

@@ -41,8 +41,8 @@ class Selection {
   /// Adds effects while a channel is open and one is accepted; removes those that later ones made needless. Ends at a set from
   /// which an earlier growth went on.
   void grow();
-  /// Grows sets from the other effects that were accepted at first, too, and keeps the one that explains most. A wrong first
-  /// effect may stand for two or three right ones.
+  /// Grows sets from the other effects that were accepted at first, of all and on a channel, too, and keeps the one that
+  /// explains most. A wrong first effect may stand for two or three right ones.
   void grow_from_others();
 
   /// While more than noise is left: adds two effects at once that explain it together, though neither does so alone. Grows
@@ -165,6 +165,8 @@ class Selection {
   std::array<Remainder, kChannels> before_;        ///< of the base
   ChannelMask above_noise_;                        ///< where `before_` is more than noise
   std::vector<Hypothesis> first_;                  ///< accepted in the first round, the best first
+  std::vector<Hypothesis> first_of_channel_;       ///< accepted later as the first on a channel, but not the best there
+  bool regrows_ = false;                           ///< a set has grown, and another grows
   std::map<plant::EffectId, Hypothesis> without_;  ///< by effect, of the chosen hypothesis as it is
   std::vector<std::vector<Candidate>> rounds_;
   std::map<std::vector<plant::EffectId>, double> reached_;  ///< best score of each set that growths reached, sorted
