@@ -31,7 +31,7 @@ class Backlash {
                 Scale::kStiffness,
                 true,
                 1e-5,
-                1e-2,
+                2e-3,
                 {1e-5, 1e-5},
                 "Stiffness of its flanks, k; an electric joint has that of its gear."}};
   static constexpr EffectInfo kInfo{"backlash", Side::kValveAndOil, false,
