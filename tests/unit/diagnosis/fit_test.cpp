@@ -39,6 +39,25 @@ TEST(SideModels, TheyFollowTheWholeJointsForceAndMotion) {
   EXPECT_LT(relative_error(data.motion, motion, 300), 0.001);
 }
 
+// The first half leaves the spool a width above a current that then stays within the hysteresis.
+TEST(SideModels, TheSpoolOfASecondHalfStandsWhereTheFirstHalfHasPutIt) {
+  constexpr std::size_t kHalf = 1000;
+  const double width_A = 0.05 * rig().actuator.valve_current_max_A;
+  const Recording recording = recorded_rig(2 * kHalf, rig().swing_load, [&](int k) {
+    return k < 900 ? 2.0 * width_A * std::sin(0.02 * k) : 0.2 * width_A * std::sin(0.05 * k);
+  });
+  const JointData data = prepare(recording, rig().actuator, rig().noise.position);
+  const JointModel model(rig().actuator, rig().swing_load);
+  Model sticks = Model::nominal();
+  sticks.effects = {{plant::find_effect("valve_hysteresis"), {0.05}}};
+  const Observer observer;
+  const auto whole = model.simulate(data, {0, data.size()}, sticks, Channel::kForce, observer);
+  const auto half = model.simulate(data, {kHalf, data.size()}, sticks, Channel::kForce, observer);
+  const auto without = model.simulate(data, {kHalf, data.size()}, Model::nominal(), Channel::kForce, observer);
+  EXPECT_GT(std::abs(whole.back() - without.back()), 10.0 * rig().noise.force);
+  EXPECT_NEAR(half.back(), whole.back(), 0.01 * std::abs(whole.back() - without.back()));
+}
+
 TEST(SideModels, TheMassOfALoadThatRingsWithTheOilIsFoundWithoutBias) {
   for (const double factor : {1.0, 1.4}) {
     const JointData data = prepare(recorded(4.0, factor), rig().actuator, rig().noise.position);

@@ -10,6 +10,7 @@
 #include "diagnosis/judge/selection.hpp"
 #include "diagnosis/model/joint_simulator.hpp"
 #include "diagnosis/model/twin.hpp"
+#include "diagnosis/separability/separability.hpp"
 #include "tests/unit/diagnosis/rig.hpp"
 
 namespace farrier::diagnosis {
@@ -169,6 +170,37 @@ TEST(Selection, GrowsASetOfThreeWithTheirSizesAndExchangesNone) {
     EXPECT_FALSE(at_bound(id, estimate));
     EXPECT_GT(selection.share_of(id), 0.05);
   }
+}
+
+TEST(Selection, TiesWhatTheRecordingCannotSeparate) {
+  Recording recording = recorded(1.0, 1.0, 0);
+  for (double& force : recording.force) {
+    force += 40.0;
+  }
+  const Case one(recording);
+  Selection selection(one.bench, one.expected, one.rules, one.for_each);
+  selection.grow();
+  selection.exchange();
+  selection.tie_inseparable();
+  std::vector<Model::Effect> set;
+  for (std::size_t i = 0; i < selection.chosen().effects.size(); ++i) {
+    set.push_back({selection.chosen().effects[i], pooled(selection.chosen(), i).fitted});
+  }
+  std::size_t rivals = 0;
+  const auto noise = one.expected(selection.base());
+  for (const MemberVisibility& member : member_visibilities(one.bench, set, noise, one.rules, one.for_each)) {
+    for (const LikeEffect& rival : member.beside.rivals) {
+      ++rivals;
+      EXPECT_EQ(std::ranges::count_if(selection.ties(),
+                                      [&](const Selection::Tie& tie) {
+                                        return tie.chosen == member.beside.id && tie.rival == rival.id &&
+                                               holds(tie.with_rival, rival.id);
+                                      }),
+                1)
+          << plant::effect_info(rival.id).name;
+    }
+  }
+  EXPECT_GE(rivals, 1u);
 }
 
 TEST(Selection, HasNoMoreEffectsThanAllowed) {
