@@ -173,14 +173,14 @@ TEST(Selection, GrowsASetOfThreeWithTheirSizesAndExchangesNone) {
 }
 
 TEST(Selection, TiesWhatTheRecordingCannotSeparate) {
+  // A small offset of the load cell and a constant force on the load do the same to the motion.
   Recording recording = recorded(1.0, 1.0, 0);
   for (double& force : recording.force) {
-    force += 40.0;
+    force += 4.0;
   }
   const Case one(recording);
   Selection selection(one.bench, one.expected, one.rules, one.for_each);
   selection.grow();
-  selection.exchange();
   selection.tie_inseparable();
   std::vector<Model::Effect> set;
   for (std::size_t i = 0; i < selection.chosen().effects.size(); ++i) {

@@ -209,7 +209,7 @@ TEST(Backlash, GivesWayByHalfOfItselfOnTopOfTheOil) {
 TEST(Backlash, GivesWayByItsFlanksToo) {
   constexpr double kPlay = 0.004;
   constexpr double kTorque = 3.0;
-  const double flanks = 2e3 * Scales(kMotor, kFoot).of(Scale::kStiffness);
+  const double flanks = 600.0 * Scales(kMotor, kFoot).of(Scale::kStiffness);
   const auto at_rest = [&](std::initializer_list<double> values) {
     HydraulicJoint joint = joint_with(kMotor, kFoot, {effect_of("backlash", values, kMotor, kFoot)});
     settle(joint, 0.0, kTorque);
