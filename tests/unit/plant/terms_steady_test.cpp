@@ -219,23 +219,6 @@ TEST(Backlash, GivesWayByItsFlanksToo) {
   EXPECT_NEAR(at_rest({kPlay, flanks}) - at_rest({kPlay}), further, 0.02 * further);
 }
 
-TEST(Backlash, SteppedItTravelsItsPlayAndTheBendOfBothFlanks) {
-  constexpr double kPlay = 0.004;
-  const Scales scales(kMotor, kFoot);
-  const double drive = 0.1 * scales.of(Scale::kForce);
-  const double flanks = 1e3 * scales.of(Scale::kStiffness);
-  const std::array fitted{kPlay / scales.of(Scale::kLength), scales.of(Scale::kStiffness) / flanks};
-  Backlash<double> play(fitted.data(), scales, 0.0);
-  double travel = 0.0;
-  for (int step = 0; step < 1000; ++step) {
-    PlayMoment<double> now{step == 0 ? drive : -drive, kMotor.piston_damping, oil_stiffness(), 1e-3, 0.0};
-    play.on_play(now);
-    travel += now.moved;
-  }
-  const double expected = -(kPlay + 2.0 * drive / flanks);
-  EXPECT_NEAR(travel, expected, 1e-6 * kPlay);
-}
-
 TEST(EndStop, HoldsThePistonAndTheLoadCellFeelsNothing) {
   constexpr double kInset = 0.3;
   HydraulicJoint joint = joint_with(kMotor, kFoot, {effect_of("end_stop", {kInset, 5e4}, kMotor, kFoot)});

@@ -173,5 +173,23 @@ TEST(Effects, AreRefusedByNameWhereNoMachineHasTheirNumbers) {
   EXPECT_FALSE(HydraulicJoint::create(kCylinder, kLoad, rest, 1e-6, std::span(&bad, 1)).ok());
 }
 
+TEST(Backlash, SteppedItTravelsItsPlayAndTheBendOfBothFlanks) {
+  constexpr double kPlay = 0.004;
+  constexpr double kOil = 1e7;
+  const Scales scales(kCylinder, kLoad);
+  const double drive = 0.1 * scales.of(Scale::kForce);
+  const double flanks = 1e3 * scales.of(Scale::kStiffness);
+  const std::array fitted{kPlay / scales.of(Scale::kLength), scales.of(Scale::kStiffness) / flanks};
+  Backlash<double> play(fitted.data(), scales, 0.0);
+  double travel = 0.0;
+  for (int step = 0; step < 1000; ++step) {
+    PlayMoment<double> now{step == 0 ? drive : -drive, kCylinder.piston_damping, kOil, 1e-3, 0.0};
+    play.on_play(now);
+    travel += now.moved;
+  }
+  const double expected = -(kPlay + 2.0 * drive / flanks);
+  EXPECT_NEAR(travel, expected, 1e-6 * kPlay);
+}
+
 }  // namespace terms_test
 }  // namespace farrier::plant
