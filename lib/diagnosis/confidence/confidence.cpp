@@ -13,6 +13,10 @@ constexpr ConfidenceMap kElectric =
 #include "diagnosis/confidence/confidence_electric.def"
     ;
 
+/// Largest confidence of a name that the recording does not tell from another one: to be sure of it would contradict the
+/// verdict. Of 25 such names that the maps gave 0.7 or more in trials of seed 100001, 19 were right.
+constexpr double kMostTied = 0.8;
+
 double log_within(double value, double low, double high) noexcept { return std::log(std::clamp(value, low, high)); }
 
 }  // namespace
@@ -44,7 +48,8 @@ double confidence_of(const Evidence& evidence, const ConfidenceMap& map) noexcep
   for (std::size_t i = 0; i < kEvidences; ++i) {
     log_odds += map.weights[i] * certain[i];
   }
-  return std::min(1.0 / (1.0 + std::exp(-log_odds)), 1.0 - 1.0 / map.trials);
+  const double most = evidence.rivals > 0.0 ? kMostTied : 1.0 - 1.0 / map.trials;
+  return std::min(1.0 / (1.0 + std::exp(-log_odds)), most);
 }
 
 double covering_deviation(double deviation, double distance, const ConfidenceMap& map) noexcept {
