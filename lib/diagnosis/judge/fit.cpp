@@ -3,59 +3,148 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Dense>
-#include <ceres/ceres.h>
-#include <glog/logging.h>
 
-#include "diagnosis/judge/fit_costs.hpp"
+#include "diagnosis/judge/box_minimum.hpp"
+#include "diagnosis/judge/linearised.hpp"
 
 namespace farrier::diagnosis {
 namespace {
 
-/// A fit that fails is an answer, not news for the terminal.
-void quieten_ceres() { [[maybe_unused]] static const int level = FLAGS_minloglevel = google::GLOG_FATAL; }
+/// Damping of the first step, over the diagonal of the normal matrix, and its least.
+constexpr double kFirstDamping = 1e-4;
+constexpr double kLeastDamping = 1e-16;
+/// Least diagonal that is damped: a number that nothing shows stays.
+constexpr double kLeastDamped = 1e-6;
+/// Share of the predicted fall of the cost that a step must bring.
+constexpr double kLeastFall = 1e-3;
+
+/// The cost of a model and its derivatives by the free numbers.
+class FitProblem {
+ public:
+  FitProblem(const FitData& data, Span span, const Model& start, const ChannelMask& mask, const FitOptions& options)
+      : data_(data),
+        span_(span),
+        options_(options),
+        model_(start),
+        free_(data.simulator->free_numbers(start, mask, options.nominal_spread)) {
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      const bool moves = std::ranges::any_of(free_, [c](const FreeNumber& f) { return f.channels[c]; });
+      if (mask[c] && data.judged[c] && moves) {
+        channels_.push_back(static_cast<Channel>(c));
+      }
+    }
+  }
+
+  const std::vector<FreeNumber>& free() const noexcept { return free_; }
+  bool is_empty() const noexcept { return free_.empty() || channels_.empty(); }
+
+  Eigen::VectorXd start() {
+    Eigen::VectorXd values(std::ssize(free_));
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      const FreeNumber& number = at(i);
+      values[i] = std::clamp(number_at(model_, number.place), number.low, number.high);
+    }
+    return values;
+  }
+  Model model_at(const Eigen::VectorXd& values) const {
+    Model model = model_;
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      number_at(model, at(i).place) = values[i];
+    }
+    return model;
+  }
+  Eigen::VectorXd room(const Eigen::VectorXd& values, double FreeNumber::*bound) const {
+    Eigen::VectorXd room(values.size());
+    for (Eigen::Index i = 0; i < room.size(); ++i) {
+      room[i] = at(i).*bound - values[i];
+    }
+    return room;
+  }
+
+  /// Half the sum of squares; not finite where the simulation is not.
+  double cost(const Eigen::VectorXd& values) const {
+    const Model model = model_at(values);
+    double sum = pull(values).squaredNorm();
+    for (const Channel channel : channels_) {
+      const double unit = unit_of(channel);
+      for (const double residual : residuals(*data_.simulator, span_, model, channel, options_)) {
+        sum += residual * residual / (unit * unit);
+      }
+    }
+    return 0.5 * sum;
+  }
+
+  struct Slopes {
+    double cost = 0.0;
+    Eigen::MatrixXd normal;
+    Eigen::VectorXd descent;
+    std::vector<Linearised> channels;
+  };
+  Slopes slopes(const Eigen::VectorXd& values) const {
+    const Model model = model_at(values);
+    const Eigen::VectorXd pull = this->pull(values);
+    Slopes slopes{.cost = pull.squaredNorm(),
+                  .normal = Eigen::MatrixXd(weight().cwiseAbs2().asDiagonal()),
+                  .descent = weight().cwiseProduct(pull),
+                  .channels = {}};
+    for (const Channel channel : channels_) {
+      slopes.channels.push_back(linearised(*data_.simulator, options_, span_, model, channel, free_, unit_of(channel)));
+      const Linearised& mine = slopes.channels.back();
+      slopes.cost += mine.residual.squaredNorm();
+      slopes.normal.noalias() += mine.slope.transpose() * mine.slope;
+      slopes.descent.noalias() += mine.slope.transpose() * mine.residual;
+    }
+    slopes.cost *= 0.5;
+    return slopes;
+  }
+
+ private:
+  const FreeNumber& at(Eigen::Index i) const { return free_[static_cast<std::size_t>(i)]; }
+  double unit_of(Channel channel) const {
+    return data_.weight[static_cast<std::size_t>(channel)] * std::sqrt(options_.samples_per_fact);
+  }
+  Eigen::VectorXd weight() const {
+    Eigen::VectorXd weight(std::ssize(free_));
+    for (Eigen::Index i = 0; i < weight.size(); ++i) {
+      weight[i] = at(i).spread > 0.0 ? 1.0 / at(i).spread : 0.0;
+    }
+    return weight;
+  }
+  /// Of the nominal factors towards one.
+  Eigen::VectorXd pull(const Eigen::VectorXd& values) const {
+    Eigen::VectorXd pull = weight();
+    for (Eigen::Index i = 0; i < pull.size(); ++i) {
+      pull[i] *= at(i).prior - values[i];
+    }
+    return pull;
+  }
+
+  const FitData& data_;
+  Span span_;
+  const FitOptions& options_;
+  Model model_;
+  std::vector<FreeNumber> free_;
+  std::vector<Channel> channels_;
+};
 
 /// Standard deviations by the sandwich of blocks (Liang and Zeger 1986): residuals of a block may say the same thing.
-Eigen::VectorXd deviations(ceres::Problem& problem, const std::vector<FreeNumber>& free, std::size_t block) {
-  ceres::CRSMatrix sparse;
-  std::vector<double> residual;
-  problem.Evaluate(ceres::Problem::EvaluateOptions(), nullptr, &residual, nullptr, &sparse);
-  const auto n = static_cast<Eigen::Index>(free.size());
-  Eigen::MatrixXd bread = 1e-9 * Eigen::MatrixXd::Identity(n, n);
+Eigen::VectorXd deviations(const FitProblem::Slopes& slopes, Eigen::Index block) {
+  const Eigen::Index n = slopes.descent.size();
   Eigen::MatrixXd meat = Eigen::MatrixXd::Zero(n, n);
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n);
-  const std::size_t rows = residual.size();
-  for (std::size_t row = 0; row < rows; ++row) {
-    Eigen::VectorXd slope = Eigen::VectorXd::Zero(n);
-    for (int i = sparse.rows[row]; i < sparse.rows[row + 1]; ++i) {
-      slope[sparse.cols[static_cast<std::size_t>(i)]] = sparse.values[static_cast<std::size_t>(i)];
-    }
-    bread += slope * slope.transpose();
-    gradient += slope * residual[row];
-    if (row + free.size() >= rows || (row + 1) % block == 0) {
+  for (const Linearised& channel : slopes.channels) {
+    for (Eigen::Index row = 0; row < channel.residual.size(); row += block) {
+      const Eigen::Index rows = std::min(block, channel.residual.size() - row);
+      const Eigen::VectorXd gradient =
+          channel.slope.middleRows(row, rows).transpose() * channel.residual.segment(row, rows);
       meat += gradient * gradient.transpose();
-      gradient.setZero();
     }
   }
+  const Eigen::MatrixXd bread = slopes.normal + 1e-9 * Eigen::MatrixXd::Identity(n, n);
   const Eigen::MatrixXd inverse = bread.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
   return (inverse * meat * inverse).diagonal().cwiseMax(0.0).cwiseSqrt();
-}
-
-/// A projected step that ends at a bound leaves the other numbers short of their best: solves for them alone.
-void solve_for_the_rest(const ceres::Solver::Options& solver, ceres::Problem& problem, std::vector<double>& values,
-                        const std::vector<FreeNumber>& free, ceres::Solver::Summary& summary) {
-  std::vector<int> held;
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    if (values[i] <= free[i].low || values[i] >= free[i].high) {
-      held.push_back(static_cast<int>(i));
-    }
-  }
-  if (!held.empty() && held.size() < free.size()) {
-    problem.SetManifold(values.data(), new ceres::SubsetManifold(static_cast<int>(free.size()), held));
-    ceres::Solve(solver, &problem, &summary);
-    problem.SetManifold(values.data(), nullptr);
-  }
 }
 
 }  // namespace
@@ -83,64 +172,73 @@ double judged_rms(const std::vector<double>& residuals) noexcept {
 }
 
 FitResult fit(const FitData& data, Span span, const Model& start, const ChannelMask& mask, const FitOptions& options) {
+  FitProblem problem(data, span, start, mask, options);
   FitResult result{.model = start, .cost = 0.0, .deviation = {}};
-  const std::vector<FreeNumber> free = data.simulator->free_numbers(start, mask, options.nominal_spread);
-  if (free.empty()) {
+  if (problem.is_empty()) {
     return result;
-  }
-  std::vector<double> values;
-  for (const FreeNumber& f : free) {
-    values.push_back(std::clamp(number_at(result.model, f.place), f.low, f.high));
-  }
-  quieten_ceres();
-  ceres::Problem problem;
-  for (std::size_t c = 0; c < kChannels; ++c) {
-    const bool moves = std::ranges::any_of(free, [c](const FreeNumber& f) { return f.channels[c]; });
-    if (mask[c] && data.judged[c] && moves) {
-      problem.AddResidualBlock(side_cost(data, span, static_cast<Channel>(c), start, free, options), nullptr,
-                               values.data());
-    }
-  }
-  if (problem.NumResidualBlocks() == 0) {
-    return result;
-  }
-  problem.AddResidualBlock(prior_cost(free), nullptr, values.data());
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    problem.SetParameterLowerBound(values.data(), static_cast<int>(i), free[i].low);
-    problem.SetParameterUpperBound(values.data(), static_cast<int>(i), free[i].high);
-  }
-  ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  solver.max_num_iterations = options.most_iterations;
-  solver.function_tolerance = options.tolerance;
-  solver.logging_type = ceres::SILENT;
-  solver.num_threads = 1;
-  ceres::Solver::Summary summary;
-  ceres::Solve(solver, &problem, &summary);
-  if (options.again_at_bounds && summary.IsSolutionUsable()) {
-    solve_for_the_rest(solver, problem, values, free, summary);
   }
   std::size_t numbers = 0;
   for (const Model::Effect& effect : start.effects) {
     numbers += effect.fitted.size();
   }
-  if (!summary.IsSolutionUsable()) {  // the start itself makes no finite simulation
+  Eigen::VectorXd values = problem.start();
+  FitProblem::Slopes slopes = problem.slopes(values);
+  result.cost = slopes.cost;
+  if (!std::isfinite(slopes.cost) || !slopes.normal.allFinite()) {  // the start itself makes no finite simulation
     result.cost = std::numeric_limits<double>::infinity();
     result.deviation.assign(numbers, std::numeric_limits<double>::infinity());
     return result;
   }
-  result.cost = summary.final_cost;
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    number_at(result.model, free[i].place) = values[i];
+  bool known = true;  // the slopes are those at the values
+  double damping = kFirstDamping;
+  double growth = 2.0;
+  for (int iteration = 0; iteration < options.most_iterations; ++iteration) {
+    if (!known) {
+      FitProblem::Slopes next = problem.slopes(values);
+      if (!std::isfinite(next.cost) || !next.normal.allFinite()) {
+        break;
+      }
+      slopes = std::move(next);
+      known = true;
+    }
+    Eigen::MatrixXd damped = slopes.normal;
+    damped.diagonal() += damping * slopes.normal.diagonal().cwiseMax(kLeastDamped);
+    const Eigen::VectorXd step = box_minimum(damped, slopes.descent, problem.room(values, &FreeNumber::low),
+                                             problem.room(values, &FreeNumber::high));
+    const double predicted = step.dot(slopes.descent) - 0.5 * step.dot(slopes.normal * step);
+    if (!(predicted > 0.1 * options.tolerance * options.tolerance * result.cost)) {
+      break;
+    }
+    const double cost = problem.cost(values + step);
+    const double fall = result.cost - cost;
+    if (!std::isfinite(cost) || fall < kLeastFall * predicted) {
+      damping *= growth;
+      growth *= 2.0;
+      continue;
+    }
+    const double surplus = 2.0 * fall / predicted - 1.0;
+    damping = std::max(damping * std::max(1.0 / 3.0, 1.0 - surplus * surplus * surplus), kLeastDamping);
+    growth = 2.0;
+    const bool settled = fall < options.tolerance * result.cost;
+    values += step;
+    result.cost = cost;
+    known = false;
+    if (settled) {
+      break;
+    }
+  }
+  result.model = problem.model_at(values);
+  if (!options.deviations) {
+    return result;
+  }
+  if (!known) {
+    slopes = problem.slopes(values);
   }
   const Eigen::VectorXd deviation =
-      deviations(problem, free, static_cast<std::size_t>(options.block_s / data.simulator->period_s()));
-  std::size_t place = kNominals;
-  for (const Model::Effect& effect : result.model.effects) {
-    for (std::size_t i = 0; i < effect.fitted.size(); ++i, ++place) {
-      const auto at = std::ranges::find(free, place, &FreeNumber::place);
-      result.deviation.push_back(at == free.end() ? 0.0 : deviation[at - free.begin()]);
-    }
+      deviations(slopes, static_cast<Eigen::Index>(options.block_s / data.simulator->period_s()));
+  for (std::size_t place = kNominals; place < kNominals + numbers; ++place) {
+    const auto at = std::ranges::find(problem.free(), place, &FreeNumber::place);
+    result.deviation.push_back(at == problem.free().end() ? 0.0 : deviation[at - problem.free().begin()]);
   }
   return result;
 }

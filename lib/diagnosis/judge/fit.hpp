@@ -11,7 +11,7 @@ struct FitOptions {
   Observer observer;
   double warm_up_s = 0.3;        ///< from a span's beginning that is not judged
   double block_s = 0.1;          ///< within which residuals count as dependent
-  bool again_at_bounds = false;  ///< a number that ends at a bound is held there, and the rest is fitted again
+  bool deviations = true;        ///< standard deviations are wanted
   int most_iterations = 15;
   double tolerance = 1e-4;       ///< relative change of cost that ends a fit
   double samples_per_fact = 10;  ///< neighbouring residuals that count as one fact: sets the weight of the data against
@@ -30,12 +30,12 @@ struct FitData {
 struct FitResult {
   Model model;
   double cost = 0.0;
-  std::vector<double> deviation;  ///< standard deviation of the effects' numbers, in their order
+  std::vector<double> deviation;  ///< standard deviation of the effects' numbers, in their order, if wanted
 };
 
-/// Fits the factors and effects of `start` to a span: simulation error of the channels in `mask` with Ceres (Agarwal,
-/// Mierle et al.), derivatives through the simulation, factors within kNominalBand, effects within their ranges.
-/// Numbers of `start` that concern no such channel stay.
+/// Fits the factors and effects of `start` to a span: simulation error of the channels in `mask`, derivatives through the
+/// simulation, factors within kNominalBand, effects within their ranges. Each step is the best within these ranges, damped
+/// as by Marquardt (1963) and Nielsen (1999). Numbers of `start` that concern no such channel stay.
 FitResult fit(const FitData& data, Span span, const Model& start, const ChannelMask& mask, const FitOptions& options);
 
 /// Residuals of a channel over a span, measured less simulated; 0 where they are not judged.

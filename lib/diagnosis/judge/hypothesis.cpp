@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "diagnosis/judge/fit_costs.hpp"
-
 namespace farrier::diagnosis {
 namespace {
 
@@ -191,6 +189,7 @@ Bench::Sketch Bench::sketch(const Hypothesis& from, const std::vector<Model::Eff
   FitOptions quick = options_;
   quick.most_iterations = 6;
   quick.tolerance = 1e-2;
+  quick.deviations = false;
   Sketch sketch{.added = {}, .model = from.halves[0].model, .cost = 0.0, .promise = 0.0};
   for (const Model::Effect& effect : start) {
     sketch.added.push_back(effect.id);

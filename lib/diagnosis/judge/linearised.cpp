@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include <Eigen/Cholesky>
-
-#include "diagnosis/judge/fit_costs.hpp"
+#include "diagnosis/judge/box_minimum.hpp"
 #include "diagnosis/judge/lane_slopes.hpp"
 
 namespace farrier::diagnosis {
@@ -15,10 +13,8 @@ constexpr double kLeastDiagonal = 1e-9;
 
 }  // namespace
 
-Linearised linearised(const Bench& bench, Span span, const Model& model, Channel channel,
-                      const std::vector<FreeNumber>& free, double unit) {
-  const Simulator& simulator = bench.simulator();
-  const FitOptions& options = bench.options();
+Linearised linearised(const Simulator& simulator, const FitOptions& options, Span span, const Model& model,
+                      Channel channel, const std::vector<FreeNumber>& free, double unit) {
   const double scale = 1.0 / unit;
   const auto skip = static_cast<std::size_t>(options.warm_up_s / simulator.period_s());
   const std::vector<double>& measured = simulator.measured(channel);
@@ -53,19 +49,20 @@ std::vector<FreeNumber> numbers_of_last_effect(const Simulator& simulator, const
 
 Eigen::VectorXd bounded_step(Eigen::MatrixXd normal, const Eigen::VectorXd& descent,
                              const std::vector<FreeNumber>& free, Model from) {
-  for (Eigen::Index i = 0; i < std::ssize(free); ++i) {
-    if (const double spread = free[static_cast<std::size_t>(i)].spread; spread > 0.0) {
-      normal(i, i) += 1.0 / (spread * spread);
-    }
-  }
-  normal.diagonal().array() += kLeastDiagonal * std::max(normal.diagonal().maxCoeff(), 1e-300);
-  Eigen::VectorXd step = normal.ldlt().solve(descent);
+  Eigen::VectorXd low(std::ssize(free));
+  Eigen::VectorXd high(std::ssize(free));
   for (Eigen::Index i = 0; i < std::ssize(free); ++i) {
     const FreeNumber& number = free[static_cast<std::size_t>(i)];
+    if (number.spread > 0.0) {
+      normal(i, i) += 1.0 / (number.spread * number.spread);
+    }
     const double now = number_at(from, number.place);
-    step[i] = std::clamp(now + step[i], number.low, number.high) - now;
+    low[i] = std::min(number.low - now, 0.0);
+    high[i] = std::max(number.high - now, 0.0);
   }
-  return step;
+  const double largest = free.empty() ? 0.0 : normal.diagonal().maxCoeff();
+  normal.diagonal().array() += kLeastDiagonal * std::max(largest, 1e-300);
+  return box_minimum(normal, descent, low, high);
 }
 
 }  // namespace farrier::diagnosis

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "diagnosis/judge/hypothesis.hpp"
+#include "diagnosis/judge/fit.hpp"
 
 namespace farrier::diagnosis {
 
@@ -16,15 +16,15 @@ struct Linearised {
 };
 
 /// `unit` in N | m/s, positive.
-Linearised linearised(const Bench& bench, Span span, const Model& model, Channel channel,
-                      const std::vector<FreeNumber>& free, double unit);
+Linearised linearised(const Simulator& simulator, const FitOptions& options, Span span, const Model& model,
+                      Channel channel, const std::vector<FreeNumber>& free, double unit);
 
 /// Numbers of the last `count` effects of `with` that a fit may change on channels of `shows`.
 std::vector<FreeNumber> numbers_of_last_effect(const Simulator& simulator, const Model& with, const ChannelMask& shows,
                                                std::size_t count = 1);
 
-/// Least squares step of `free` from their places in `from`. Each number stays within its range. The normal matrix and its
-/// right side, `descent`, come without the weight of priors; that is added to `normal` here.
+/// Least squares step of `free` from their places in `from`, the best that leaves each number within its range. The normal
+/// matrix comes without the weight of priors, which is added here.
 Eigen::VectorXd bounded_step(Eigen::MatrixXd normal, const Eigen::VectorXd& descent,
                              const std::vector<FreeNumber>& free, Model from);
 

@@ -70,7 +70,6 @@ ScaledDiagnosis diagnose_scaled(const ScaledRecording& recording, const Diagnosi
   fit.warm_up_s = 0.0;
   fit.most_iterations = 50;
   fit.tolerance = 1e-8;
-  fit.again_at_bounds = true;
   fit.block_s = ScaledSimulator::kSample_s * std::floor(static_cast<double>(recording.position.size()) / kBlocks);
   const Bench bench(simulator, kJudged, fit);
   // Noise of a position at its sample, and of the mean where the simulation begins.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/judge/fit_costs.hpp"
-
 namespace farrier::diagnosis {
 
 Screening::Screening(const Bench& bench, const Hypothesis& from)
@@ -22,7 +20,7 @@ Screening::Screening(const Bench& bench, const Hypothesis& from)
 
 Linearised Screening::linearise(const Model& model, Channel channel, const std::vector<FreeNumber>& free) const {
   const double unit = from_.weight[static_cast<std::size_t>(channel)] * std::sqrt(bench_.options().samples_per_fact);
-  return linearised(bench_, span_, model, channel, free, unit);
+  return linearised(bench_.simulator(), bench_.options(), span_, model, channel, free, unit);
 }
 
 double Screening::predicted_log_ratio(const std::vector<Model::Effect>& effects) const {

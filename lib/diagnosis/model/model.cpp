@@ -1,6 +1,7 @@
 #include "diagnosis/model/model.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace farrier::diagnosis {
 
@@ -47,6 +48,20 @@ std::vector<std::vector<double>> starts_of(const plant::EffectInfo& info) {
 
 bool Model::has(plant::EffectId id) const noexcept {
   return std::ranges::any_of(effects, [id](const Effect& effect) { return effect.id == id; });
+}
+
+double& number_at(Model& model, std::size_t place) {
+  if (place < kNominals) {
+    return model.factors[place];
+  }
+  place -= kNominals;
+  for (Model::Effect& effect : model.effects) {
+    if (place < effect.fitted.size()) {
+      return effect.fitted[place];
+    }
+    place -= effect.fitted.size();
+  }
+  std::abort();
 }
 
 EffectNumbers<double> effect_numbers(const Model& model) {

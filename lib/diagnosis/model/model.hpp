@@ -76,6 +76,9 @@ struct Model {
   bool has(plant::EffectId id) const noexcept;
 };
 
+/// The number of a model at that place: below kNominals a factor, from there on the numbers of the effects in their order.
+double& number_at(Model& model, std::size_t place);
+
 /// Numbers of a model's effects, as a simulation has them.
 template <class T>
 using EffectNumbers = std::vector<std::pair<plant::EffectId, std::vector<T>>>;

@@ -6,10 +6,7 @@
 #include <numeric>
 
 #include <Eigen/Cholesky>
-
-#include "diagnosis/judge/fit_costs.hpp"
 #include "diagnosis/judge/linearised.hpp"
-#include "diagnosis/separability/settled_step.hpp"
 
 namespace farrier::diagnosis {
 namespace {
@@ -103,13 +100,14 @@ void Changes::simulate(std::size_t channel, const ForEach& for_each) {
   const double unit = unit_[channel];
   const Span all{0, bench_.simulator().size()};
   const auto as_channel = static_cast<Channel>(channel);
-  const Linearised own = linearised(bench_, all, reference_, as_channel, own_, unit);
+  const Linearised own = linearised(bench_.simulator(), bench_.options(), all, reference_, as_channel, own_, unit);
   Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(own.residual.size(), columns_);
   changes.leftCols(own.slope.cols()) = own.slope;
   for_each(responses_.size(), [&](std::size_t i) {
     const Response& response = responses_[i];
     if (response.shows[channel]) {
-      const Linearised mine = linearised(bench_, all, with(response.added), as_channel, response.free, unit);
+      const Linearised mine =
+          linearised(bench_.simulator(), bench_.options(), all, with(response.added), as_channel, response.free, unit);
       if (mine.residual.allFinite() && mine.slope.allFinite()) {
         changes.col(response.change) = own.residual - mine.residual;
         changes.middleCols(response.change + 1, mine.slope.cols()) = mine.slope;
@@ -171,7 +169,7 @@ Changes::Left Changes::left_of(const Response& target, const Response* other,
   std::iota(all.begin(), all.end(), Eigen::Index{0});
   Left left{.rms = {}, .follower = other != nullptr ? with(other->added) : reference_};
   const Eigen::VectorXd step =
-      settled_step(facts(channels, columns, columns), facts(channels, columns, all) * part, free, left.follower);
+      bounded_step(facts(channels, columns, columns), facts(channels, columns, all) * part, free, left.follower);
   part(columns) -= step;
   for (std::size_t i = 0; i < free.size(); ++i) {
     number_at(left.follower, free[i].place) += step[static_cast<Eigen::Index>(i)];
@@ -219,7 +217,8 @@ Changes::Left Changes::settled(std::size_t target, const Left& linear) const {
     Left left{.rms = {}, .follower = model};
     for (std::size_t c = 0; c < kChannels; ++c) {
       if (channels[c] && count_[c] > 0.0) {
-        const Linearised now = linearised(bench_, all, model, static_cast<Channel>(c), free, unit_[c]);
+        const Linearised now =
+            linearised(bench_.simulator(), bench_.options(), all, model, static_cast<Channel>(c), free, unit_[c]);
         const Eigen::VectorXd apart = now.residual - residuals_[c].col(static_cast<Eigen::Index>(target));
         left.rms[c] = std::sqrt(apart.squaredNorm() / count_[c]);
         normal += now.slope.transpose() * now.slope / bench_.options().samples_per_fact;
@@ -235,7 +234,7 @@ Changes::Left Changes::settled(std::size_t target, const Left& linear) const {
       descent[static_cast<Eigen::Index>(k)] +=
           spread > 0.0 ? (free[k].prior - number_at(model, free[k].place)) / (spread * spread) : 0.0;
     }
-    const Eigen::VectorXd step = settled_step(normal, descent, free, model);
+    const Eigen::VectorXd step = bounded_step(normal, descent, free, model);
     for (std::size_t k = 0; k < free.size(); ++k) {
       number_at(model, free[k].place) += step[static_cast<Eigen::Index>(k)];
     }
