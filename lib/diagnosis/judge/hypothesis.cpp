@@ -258,6 +258,17 @@ std::optional<Hypothesis> Bench::with_in_half(const Hypothesis& from, plant::Eff
   return with;
 }
 
+Hypothesis Bench::cut(const Hypothesis& from, plant::EffectId effect) const {
+  Hypothesis less = from;
+  std::erase(less.effects, effect);
+  for (FitResult& half : less.halves) {
+    std::erase_if(half.model.effects, [effect](const auto& e) { return e.id == effect; });
+  }
+  judge(less, &from, closure(simulator_.channels(effect), from.halves[0].model.effects));
+  less.weight = from.weight;
+  return less;
+}
+
 Hypothesis Bench::without(const Hypothesis& from, plant::EffectId effect) const {
   Hypothesis less;
   std::ranges::copy_if(from.effects, std::back_inserter(less.effects), [effect](auto id) { return id != effect; });

@@ -74,7 +74,9 @@ class Bench {
   double fitted_square(const Hypothesis& hypothesis, std::size_t half, std::size_t channel) const;
   /// Rms over a half for the sum of its squares.
   double rms_of_half(double squares, std::size_t half, std::size_t channel) const noexcept;
-  /// `from` with one effect less.
+  /// `from` with one effect less and all else as it is.
+  Hypothesis cut(const Hypothesis& from, plant::EffectId effect) const;
+  /// `from` with one effect less, fitted again.
   Hypothesis without(const Hypothesis& from, plant::EffectId effect) const;
   /// `from` with `other` in place of `effect`, its fits beginning at `fitted` by half; it stands last.
   Hypothesis exchanged(const Hypothesis& from, plant::EffectId effect, plant::EffectId other,

@@ -119,8 +119,17 @@ class Selection {
   bool reached_before();
   /// Grows from a set and keeps the result if it explains more than the chosen one.
   void try_growing_from(const Hypothesis& first);
+  /// An effect that a linear step promises to explain `share` of an effect's log gain in its place.
+  struct RivalStart {
+    plant::EffectId id = plant::kNameableCount;
+    std::vector<double> start = {};
+    double share = 0.0;
+  };
+  /// The most promising beside `less`, the chosen hypothesis without an effect. Notes the best share as the runner-up's.
+  std::vector<RivalStart> promised_rivals(const Hypothesis& less, plant::EffectId effect);
   /// The chosen hypothesis with rivals in the place of an effect, each with its name: those that a linear step promises to
-  /// explain nearly as much, and those that did so when either was added.
+  /// explain nearly as much, beside the other effects as they are and as they are fitted alone, and those that did so when
+  /// either was added.
   std::vector<std::pair<plant::EffectId, Hypothesis>> rivals_of(plant::EffectId effect);
   /// Takes `other`, which has `rival` in the place of `effect`, or notes how near it is.
   Exchange compare(plant::EffectId effect, plant::EffectId rival, const Hypothesis& other);

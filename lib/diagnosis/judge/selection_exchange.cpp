@@ -71,30 +71,39 @@ bool Selection::is_needed(std::size_t index) {
          adds_to(without(id), chosen_, std::ranges::find(once_, id) != once_.end());
 }
 
-std::vector<std::pair<plant::EffectId, Hypothesis>> Selection::rivals_of(plant::EffectId effect) {
-  const Hypothesis& less = without(effect);
-  const double mine = bench_.gain(less, chosen_).log_ratio;
+std::vector<Selection::RivalStart> Selection::promised_rivals(const Hypothesis& less, plant::EffectId effect) {
+  const double mine = std::max(bench_.gain(less, chosen_).log_ratio, 1e-12);
   const Screening screening(bench_, less);
-  std::vector<Screening::Promise> promises(plant::kNameableCount);
+  std::vector<RivalStart> rivals(plant::kNameableCount);
   for_each_(plant::kNameableCount, [&](std::size_t id) {
     if (may_be_rivals(id, effect) && !holds(chosen_, id)) {
-      promises[id] = screening.promise_of(id);
+      const Screening::Promise promise = screening.promise_of(id);
+      rivals[id] = {id, promise.start, promise.log_ratio / mine};
     }
   });
-  runner_up_[effect] = std::ranges::max(promises, {}, &Screening::Promise::log_ratio).log_ratio / std::max(mine, 1e-12);
-  std::vector<plant::EffectId> near;
-  for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
-    if (!promises[id].start.empty() && promises[id].log_ratio >= rules_.least_exchange * mine) {
-      near.push_back(id);
-    }
-  }
-  std::ranges::stable_sort(near, std::greater{}, [&](plant::EffectId id) { return promises[id].log_ratio; });
-  near.resize(std::min(near.size(), rules_.most_exchanged));
+  std::erase_if(rivals, [](const RivalStart& rival) { return rival.start.empty(); });
+  std::ranges::stable_sort(rivals, std::greater{}, &RivalStart::share);
+  runner_up_[effect] = std::max(runner_up_[effect], rivals.empty() ? 0.0 : rivals.front().share);
+  std::erase_if(rivals, [this](const RivalStart& rival) { return rival.share < rules_.least_exchange; });
+  rivals.resize(std::min(rivals.size(), rules_.most_exchanged));
+  return rivals;
+}
+
+std::vector<std::pair<plant::EffectId, Hypothesis>> Selection::rivals_of(plant::EffectId effect) {
+  const Hypothesis& less = without(effect);
+  runner_up_[effect] = 0.0;
   std::vector<std::pair<plant::EffectId, Hypothesis>> rivals;
-  for (const plant::EffectId id : near) {
-    auto with = bench_.with(less, bench_.sketch(less, {{id, promises[id].start}}), 0.5 * rules_.least_reduction);
+  const std::vector<RivalStart> in_place = promised_rivals(bench_.cut(chosen_, effect), effect);
+  for (const RivalStart& rival : in_place) {
+    rivals.emplace_back(rival.id, bench_.exchanged(chosen_, effect, rival.id, {rival.start, rival.start}));
+  }
+  for (const RivalStart& rival : promised_rivals(less, effect)) {
+    if (std::ranges::find(in_place, rival.id, &RivalStart::id) != in_place.end()) {
+      continue;
+    }
+    auto with = bench_.with(less, bench_.sketch(less, {{rival.id, rival.start}}), 0.5 * rules_.least_reduction);
     if (with) {
-      rivals.emplace_back(id, std::move(*with));
+      rivals.emplace_back(rival.id, std::move(*with));
     }
   }
   for (const auto& [pair, fitted] : rivals_) {
@@ -145,7 +154,7 @@ Selection::Exchange Selection::compare(plant::EffectId effect, plant::EffectId r
   }
   choose(was);
   const double chance = chance_of(was, other);
-  const bool simpler = channel_count(rival) < channel_count(effect);
+  const bool simpler = channel_count(rival) < channel_count(effect) && bench_.gain(other, was).low <= 0.0;
   if (chance < 0.5 || (simpler && 1.0 - chance > rules_.tie_chance)) {
     choose(other);
     runner_up_[rival] = 1.0;
