@@ -131,6 +131,7 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   selection.grow();
   selection.grow_from_others();
   selection.grow_from_pairs();
+  selection.grow_from_events();
   selection.grow_from_wider();
   selection.exchange();
   selection.tie_inseparable();

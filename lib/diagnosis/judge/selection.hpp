@@ -49,6 +49,10 @@ class Selection {
   /// sets from such pairs in place of the chosen ones, too, and keeps the set that explains most.
   void grow_from_pairs();
 
+  /// While more than noise is left: grows sets from an effect that shows in one half of the recording alone, in place of the
+  /// chosen ones of open channels. A stop that is hit in one half hides the effects beside it.
+  void grow_from_events();
+
   /// Grows sets from each effect of several channels in place of all chosen ones of a channel that has two or more, and keeps
   /// the set that explains most. A gain of the load cell looks like another mass, damping and stiffness of the load, each
   /// of which explains the load better than the gain while something else is missing beside the valve.
@@ -103,7 +107,14 @@ class Selection {
   bool add_once(const ChannelMask& open);
   /// The half that has nearly all error of an open channel, if one has.
   std::optional<std::size_t> eventful_half(const ChannelMask& open) const;
-  bool explains_once(const Hypothesis& with, std::size_t half, const ChannelMask& shows) const;
+  /// Adds each effect of an open channel to `from` by its numbers in one half alone.
+  std::vector<Tried> try_once(const Hypothesis& from, std::size_t half, const ChannelMask& open) const;
+  /// True if the last effect of `with` changes nothing in the other half.
+  bool acts_only_in(std::size_t half, const Hypothesis& without, const Hypothesis& with) const;
+  /// True if no structure is left in a half on channels of `shows`, or little of what `less` left.
+  bool is_explained(const Hypothesis& with, std::size_t half, const ChannelMask& shows, const Hypothesis& less) const;
+  /// The accepted one that explains most; one that is not accepted if there is none.
+  static std::vector<Tried>::iterator best_of(std::vector<Tried>& tried);
   /// The chosen hypothesis without its effects on channels of `mask`.
   Hypothesis without_those_of(const ChannelMask& mask) const;
   /// Every two effects of one open channel that the chosen hypothesis has not, by what a linear step beside `from` promises.

@@ -37,22 +37,55 @@ std::optional<std::size_t> Selection::eventful_half(const ChannelMask& open) con
   return std::nullopt;
 }
 
-bool Selection::explains_once(const Hypothesis& with, std::size_t half, const ChannelMask& shows) const {
-  const std::size_t other = 1 - half;
-  const auto expected = expected_(with);
+bool Selection::acts_only_in(std::size_t half, const Hypothesis& without, const Hypothesis& with) const {
+  const ChannelMask shows = bench_.simulator().channels(with.effects.back());
   for (std::size_t c = 0; c < kChannels; ++c) {
-    if (!shows[c] || !bench_.fit_data().judged[c]) {
-      continue;
-    }
-    const double idle = bench_.fitted_square(with, other, c);
-    const bool acts = std::abs(idle - chosen_.fitted_squares[c][other]) > kSame * chosen_.fitted_squares[c][other];
-    const double left = bench_.rms_of_half(with.fitted_squares[c][half], half, c);
-    const double was = bench_.rms_of_half(chosen_.fitted_squares[c][half], half, c);
-    if (acts || left > std::max(rules_.structure_ratio * expected[c], rules_.unexplained * was)) {
+    const double was = without.fitted_squares[c][1 - half];
+    if (shows[c] && bench_.fit_data().judged[c] &&
+        std::abs(bench_.fitted_square(with, 1 - half, c) - was) > kSame * was) {
       return false;
     }
   }
   return true;
+}
+
+bool Selection::is_explained(const Hypothesis& with, std::size_t half, const ChannelMask& shows,
+                             const Hypothesis& less) const {
+  const auto expected = expected_(with);
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    const double left = bench_.rms_of_half(with.fitted_squares[c][half], half, c);
+    const double was = bench_.rms_of_half(less.fitted_squares[c][half], half, c);
+    if (shows[c] && bench_.fit_data().judged[c] &&
+        left > std::max(rules_.structure_ratio * expected[c], rules_.unexplained * was)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<Selection::Tried> Selection::try_once(const Hypothesis& from, std::size_t half,
+                                                  const ChannelMask& open) const {
+  std::vector<Tried> tried(plant::kNameableCount);
+  for_each_(plant::kNameableCount, [&](std::size_t id) {
+    if (!meet(bench_.simulator().channels(id), open) || holds(from, id)) {
+      return;
+    }
+    Tried& one = tried[id];
+    one.hypothesis = bench_.with_in_half(from, id, half);
+    if (one.hypothesis) {
+      one.gain = bench_.gain(from, *one.hypothesis);
+      one.estimate = pooled(*one.hypothesis, one.hypothesis->effects.size() - 1);
+      one.accepted =
+          !at_bound(id, one.estimate) && outside_neutral(id, one.estimate) && acts_only_in(half, from, *one.hypothesis);
+    }
+  });
+  return tried;
+}
+
+std::vector<Selection::Tried>::iterator Selection::best_of(std::vector<Tried>& tried) {
+  return std::ranges::max_element(tried, {}, [](const Tried& one) {
+    return one.accepted ? one.gain.log_ratio : -std::numeric_limits<double>::infinity();
+  });
 }
 
 bool Selection::add_once(const ChannelMask& open) {
@@ -60,24 +93,13 @@ bool Selection::add_once(const ChannelMask& open) {
   if (!half) {
     return false;
   }
-  std::vector<Tried> tried(plant::kNameableCount);
-  for_each_(plant::kNameableCount, [&](std::size_t id) {
-    const ChannelMask shows = bench_.simulator().channels(id);
-    if (!meet(shows, open) || holds(chosen_, id)) {
-      return;
-    }
+  std::vector<Tried> tried = try_once(chosen_, *half, open);
+  for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
     Tried& one = tried[id];
-    one.hypothesis = bench_.with_in_half(chosen_, id, *half);
-    if (one.hypothesis) {
-      one.gain = bench_.gain(chosen_, *one.hypothesis);
-      one.estimate = pooled(*one.hypothesis, one.hypothesis->effects.size() - 1);
-      one.accepted = !at_bound(id, one.estimate) && outside_neutral(id, one.estimate) && worth_it(*one.hypothesis) &&
-                     explains_once(*one.hypothesis, *half, shows);
-    }
-  });
-  const auto best = std::ranges::max_element(tried, {}, [](const Tried& one) {
-    return one.accepted ? one.gain.log_ratio : -std::numeric_limits<double>::infinity();
-  });
+    one.accepted = one.accepted && worth_it(*one.hypothesis) &&
+                   is_explained(*one.hypothesis, *half, bench_.simulator().channels(id), chosen_);
+  }
+  const auto best = best_of(tried);
   if (!best->accepted) {
     return false;
   }
@@ -87,6 +109,36 @@ bool Selection::add_once(const ChannelMask& open) {
   note_rivals(tried, id);
   choose(bench_.refined(*best->hypothesis));
   return true;
+}
+
+void Selection::grow_from_events() {
+  for (std::size_t half = 0; half < 2; ++half) {
+    const ChannelMask open = open_channels();
+    const Hypothesis less = without_those_of(open);
+    if (!meet(open, open) || less.effects.size() + 1 > rules_.most_effects) {
+      return;
+    }
+    std::vector<Tried> tried = try_once(less, half, open);
+    for (Tried& one : tried) {
+      one.accepted = one.accepted && adds_to(less, *one.hypothesis, true);
+    }
+    const auto best = best_of(tried);
+    if (!best->accepted) {
+      continue;
+    }
+    const auto id = static_cast<plant::EffectId>(best - tried.begin());
+    const Hypothesis before = chosen_;
+    const auto rounds = rounds_;
+    once_.push_back(id);
+    try_growing_from(*best->hypothesis);
+    if (holds(chosen_, id) && !is_explained(chosen_, half, bench_.simulator().channels(id), less)) {
+      choose(before);
+      rounds_ = rounds;
+    }
+    if (!holds(chosen_, id)) {
+      std::erase(once_, id);
+    }
+  }
 }
 
 }  // namespace farrier::diagnosis

@@ -15,7 +15,7 @@ constexpr std::size_t kMostWithEffect = 2;
 constexpr std::size_t kMostGrown = 2;
 
 /// The most promising pairs, no effect in more than kMostWithEffect of them.
-std::vector<Screening::PairPromise> best_of(std::vector<Screening::PairPromise> pairs, double least) {
+std::vector<Screening::PairPromise> most_promising(std::vector<Screening::PairPromise> pairs, double least) {
   std::ranges::stable_sort(pairs, std::greater{}, &Screening::PairPromise::log_ratio);
   std::array<std::size_t, plant::kNameableCount> taken{};
   std::vector<Screening::PairPromise> best;
@@ -70,7 +70,7 @@ std::vector<Hypothesis> Selection::pairs_beside(const Hypothesis& from, const Ch
     return {};
   }
   const double least = rules_.least_promise * rules_.least_reduction;
-  const std::vector<Screening::PairPromise> promises = best_of(pair_promises(from, open), least);
+  const std::vector<Screening::PairPromise> promises = most_promising(pair_promises(from, open), least);
   std::vector<std::optional<Hypothesis>> fitted(promises.size());
   for_each_(promises.size(), [&](std::size_t i) {
     fitted[i] = bench_.with(from, bench_.sketch(from, promises[i].start), 0.5 * rules_.least_reduction);
