@@ -1,4 +1,5 @@
 farrier_test(diagnosis_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/box_minimum_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/derive_velocity_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/electric_model_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/fit_test.cpp
