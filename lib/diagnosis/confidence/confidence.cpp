@@ -13,9 +13,10 @@ constexpr ConfidenceMap kElectric =
 #include "diagnosis/confidence/confidence_electric.def"
     ;
 
-/// Largest confidence of a name that the recording does not tell from another one: to be sure of it would contradict the
-/// verdict. In trials of seed 100001 the maps gave 25 such names 0.7 or more, and 19 were right.
-constexpr double kMostTied = 0.8;
+/// Largest confidence of a name that the recording does not tell from another one, or on whose channels much is left: to
+/// be sure of it would contradict the verdict. In trials of seed 100001 the maps gave 25 tied names 0.7 or more, and 19
+/// were right.
+constexpr double kMostUnsure = 0.8;
 
 double log_within(double value, double low, double high) noexcept { return std::log(std::clamp(value, low, high)); }
 
@@ -48,7 +49,8 @@ double confidence_of(const Evidence& evidence, const ConfidenceMap& map) noexcep
   for (std::size_t i = 0; i < kEvidences; ++i) {
     log_odds += map.weights[i] * certain[i];
   }
-  const double most = evidence.rivals > 0.0 ? kMostTied : 1.0 - 1.0 / map.trials;
+  const bool unsure = evidence.rivals > 0.0 || evidence.unexplained > kMostLeft;
+  const double most = unsure ? kMostUnsure : 1.0 - 1.0 / map.trials;
   return std::min(1.0 / (1.0 + std::exp(-log_odds)), most);
 }
 

@@ -7,6 +7,9 @@
 
 namespace farrier::diagnosis {
 
+/// Share of a channel's rms before any effect from which on what is left leaves no name sure.
+inline constexpr double kMostLeft = 0.35;
+
 /// Figures about a named effect that its confidence depends on.
 struct Evidence {
   double rival_chance = 1.0;  ///< share of resampled blocks in which no rival explains more, reduced for a small lead

@@ -10,9 +10,6 @@
 namespace farrier::diagnosis {
 namespace {
 
-/// A sure name is the verdict if less than this share of a channel's rms before any effect is left with a structure.
-constexpr double kMostLeft = 0.35;
-
 /// Share of a channel's rms before any effect that its sensors' noise may stand for. A model with play or friction may hang on
 /// its start so much that noise explains any remainder.
 constexpr double kMostNoise = 0.2;

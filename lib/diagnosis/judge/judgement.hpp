@@ -24,7 +24,8 @@ struct Rules {
   std::size_t most_regrown = 3;   ///< other first effects from which another set is grown
   double price_of_effect = 0.03;  ///< log gain that an effect must bring for a larger set to be the better one
   double least_promise = 0.5;     ///< of least_reduction, that a linearised step must predict before a fit is tried
-  double least_exchange = 0.4;  ///< of an effect's log gain, that another must promise in its place before it is fitted
+  double least_exchange =
+      0.25;  ///< of an effect's log gain, that another must promise in its place before it is fitted
   std::size_t most_exchanged = 2;  ///< effects that are fitted in the place of a chosen one, the most promising first
   double least_reduction = 0.08;   ///< of a channel's held-out rms, that an effect must bring
   double neutral_deviations =
@@ -33,7 +34,7 @@ struct Rules {
       2.0 * kNominalBand;        ///< share by which a number of the load may be off its file and is no effect: it
                                  ///< takes up errors of the force sensor and the piston, too
   double least_step = 0.04;      ///< of a channel's rms before any effect, that the first effect must remove
-  double further_step = 0.02;    ///< the same of further ones, which may be details of the first
+  double further_step = 0.006;   ///< the same of further ones, which may be details of the first
   double structure_ratio = 1.6;  ///< rms over that of a twin, above which a remainder has a structure
   double open_ratio = 1.15;      ///< rms over that of a twin with its sensors' noise, above which there may be more
   double unexplained = 0.2;      ///< of a channel's rms before any effect, above which a remainder is no detail
