@@ -10,10 +10,18 @@ namespace {
 using diagnosis::Diagnosis;
 
 Json experiment_json(const diagnosis::Experiment& experiment) {
-  return {{"one", effect_name(experiment.one)},      {"other", effect_name(experiment.other)},
-          {"excitation", experiment.excitation},     {"amplitude_A", experiment.amplitude_A},
-          {"frequency_Hz", experiment.frequency_Hz}, {"duration_s", experiment.duration_s},
-          {"difference", experiment.difference},     {"text", experiment_text(experiment)}};
+  const bool electric = experiment.amplitude_Nm > 0.0;
+  return {{"one", effect_name(experiment.one)},
+          {"other", effect_name(experiment.other)},
+          {"excitation", experiment.excitation},
+          {"amplitude_A", experiment.amplitude_A},
+          {"frequency_Hz", experiment.frequency_Hz},
+          {"duration_s", experiment.duration_s},
+          {"amplitude_Nm", electric ? Json(experiment.amplitude_Nm) : Json(nullptr)},
+          {"hold_stiffness_Nm_rad", electric ? Json(experiment.hold.stiffness) : Json(nullptr)},
+          {"hold_damping_Nms_rad", electric ? Json(experiment.hold.damping) : Json(nullptr)},
+          {"difference", experiment.difference},
+          {"text", experiment_text(experiment)}};
 }
 
 Json channel_json(const diagnosis::ChannelReport& channel, const DiagnosisResult& result) {

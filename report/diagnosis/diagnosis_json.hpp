@@ -14,7 +14,8 @@ namespace farrier::report {
 /// "robot", "joint", "recording" are texts, and "extended_model" is a path or null. "effects": [{"name", "parameter",
 /// "value", "unit", "low", "high" (95 %), "confidence", "share", "parameters": [{"name", "value", "unit"}]}], by their
 /// share of the gain. "alternatives" are pairs: [[name, name]]. "experiment": {"one", "other", "excitation",
-/// "amplitude_A", "frequency_Hz", "duration_s", "difference", "text"} or null, of the first alternatives. "experiments"
+/// "amplitude_A", "frequency_Hz", "duration_s", "amplitude_Nm", "hold_stiffness_Nm_rad", "hold_damping_Nms_rad" (null of
+/// a hydraulic joint), "difference", "text"} or null, of the first alternatives. "experiments"
 /// are all of them, and "not_judged" is [name]. "held_out": {"nrmse_before", "nrmse_after", "low", "high" (95 % of the
 /// one over the other)} or null. "control": {"effect", "old_nrmse", "new_nrmse"} or null. "channels": [{"name", "unit",
 /// "dependences": [{"driver", "explained", "shape", "from", "mean", "deviation"}], "left": {"rms", "expected",

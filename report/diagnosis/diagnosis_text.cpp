@@ -74,14 +74,27 @@ std::vector<std::string> remainders(const DiagnosisResult& result) {
 const char* effect_name(plant::EffectId id) noexcept { return plant::effect_info(id).name; }
 
 std::string experiment_text(const diagnosis::Experiment& experiment) {
-  if (!(experiment.difference > 0.0)) {
-    return "no sine and no steps of the current that were tried";
+  const bool electric = experiment.amplitude_Nm > 0.0;
+  if (!experiment.tells()) {
+    return no_experiment_text() +
+           (experiment.difference > 0.0
+                ? ": they differ by " + short_number(experiment.difference) + " times a sensor's noise at most"
+                : "");
   }
-  return (experiment.excitation == "sine" ? "a sine of the current of " : "steps of the current of plus and minus ") +
-         short_number(1e3 * experiment.amplitude_A) + " mA at " + short_number(experiment.frequency_Hz) + " Hz for " +
-         short_number(experiment.duration_s) + " s, from mid-stroke: they differ by " +
-         short_number(experiment.difference) + " times a sensor's noise";
+  const std::string size =
+      electric ? short_number(experiment.amplitude_Nm) + " Nm (" + short_number(experiment.amplitude_A) + " A)"
+               : short_number(1e3 * experiment.amplitude_A) + " mA";
+  const std::string start = electric ? "beside a hold amid the travel of " + short_number(experiment.hold.stiffness) +
+                                           " Nm/rad and " + short_number(experiment.hold.damping) + " Nms/rad"
+                                     : "from mid-stroke";
+  return (experiment.excitation == "sine" ? "a sine of the " : "steps of the ") +
+         std::string(electric ? "commanded torque" : "current") +
+         (experiment.excitation == "sine" ? " of " : " of plus and minus ") + size + " at " +
+         short_number(experiment.frequency_Hz) + " Hz for " + short_number(experiment.duration_s) + " s, " + start +
+         ": they differ by " + short_number(experiment.difference) + " times a sensor's noise";
 }
+
+std::string no_experiment_text() { return "no sine and no steps of the current that were tried would"; }
 
 std::string words_of(const char* name) {
   std::string words = name;
@@ -126,7 +139,9 @@ std::vector<std::string> alternatives_text(const diagnosis::Judgement& judgement
              (experiment.one == other && experiment.other == one);
     });
     lines.push_back(std::string("this recording does not tell ") + effect_name(one) + " from " + effect_name(other) +
-                    (found == experiments.end() ? "" : "; what would: " + experiment_text(*found)));
+                    (found == experiments.end() ? ""
+                     : found->tells()           ? "; what would: " + experiment_text(*found)
+                                                : "; " + experiment_text(*found)));
   }
   return lines;
 }

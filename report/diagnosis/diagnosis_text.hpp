@@ -26,6 +26,9 @@ const diagnosis::Dependence* strongest(const diagnosis::ChannelReport& channel);
 /// The experiment that tells two candidates apart, for the person who makes it.
 std::string experiment_text(const diagnosis::Experiment& experiment);
 
+/// Said where no experiment that was tried tells two candidates apart.
+std::string no_experiment_text();
+
 /// "valve and oil" for "valve_and_oil".
 std::string words_of(const char* name);
 

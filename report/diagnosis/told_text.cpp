@@ -37,8 +37,7 @@ std::string column_of(diagnosis::Channel channel, const robot::Joint& joint) {
 std::string remedy_of(const diagnosis::Remedy& remedy, const robot::Joint& joint) {
   return remedy.column       ? "the column " + column_of(*remedy.column, joint) + " would"
          : remedy.experiment ? experiment_text(*remedy.experiment)
-         : joint.electric    ? "no experiment is planned for electric joints"
-                             : "no sine and no steps of the current that were tried would";
+                             : no_experiment_text();
 }
 
 void add_remedy(Json& json, const diagnosis::Remedy& remedy, const robot::Joint& joint) {

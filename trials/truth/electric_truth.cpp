@@ -120,12 +120,11 @@ class Simulation {
   double sensed_ = 0.0;
 };
 
-Run record(const robot::Joint& joint, double period_s, const Plan& plan, const ElectricMachine& machine, double scale,
-           int substeps) {
+Run record(const robot::Joint& joint, double period_s, const Plan& plan, const ElectricMachine& machine, int substeps,
+           const Command& command) {
   const int lead = static_cast<int>(std::lround(kLead_s / period_s));
   const int ticks = static_cast<int>(std::lround(plan.duration_s / period_s));
   Simulation simulation(joint, machine, period_s, substeps, plan);
-  const Driver driver(joint, period_s, plan, scale);
   const auto sensor = [&](const char* name, double noise) { return Channel(plan, joint, name, noise, noise / 3.0); };
   const Channel position = sensor("truth position", joint.noise.position);
   const Channel velocity = sensor("truth velocity", joint.noise.velocity);
@@ -136,7 +135,7 @@ Run record(const robot::Joint& joint, double period_s, const Plan& plan, const E
     const double x = position(simulation.state()[kX], k + lead);
     const double v = velocity(simulation.velocity(), k + lead);
     const double t = torque(simulation.torque(), k + lead);
-    const double command_A = driver.command_A(k, x, v);
+    const double command_A = command(k * period_s, x, v);
     if (k >= 0) {
       run.samples.valve_current_A.push_back(command_A);
       run.samples.position.push_back(x);
@@ -153,6 +152,13 @@ Run record(const robot::Joint& joint, double period_s, const Plan& plan, const E
   return run;
 }
 
+/// The plan's excitation.
+Command excitation(const robot::Joint& joint, double period_s, const Plan& plan, double scale) {
+  return [driver = Driver(joint, period_s, plan, scale), period_s](double time_s, double position, double velocity) {
+    return driver.command_A(static_cast<int>(std::lround(time_s / period_s)), position, velocity);
+  };
+}
+
 /// Excitation's scale with the run that it gives, without effect: the largest of a few that uses no more than allowed.
 struct Base {
   double scale = 0.0;
@@ -164,7 +170,7 @@ Base find_scale(const robot::Joint& joint, double period_s, const Plan& plan, co
   Base best;
   double scale = 1.0;
   for (int tries = 0; tries < 12 && (tries < 5 || best.scale == 0.0); ++tries) {
-    Run run = record(joint, period_s, plan, machine, scale, kScoutGrid);
+    Run run = record(joint, period_s, plan, machine, kScoutGrid, excitation(joint, period_s, plan, scale));
     const double used =
         std::max({run.excursion / (kTravelUsed * a.travel), run.peak_A / (kCurrentUsed * machine.current_max_A),
                   run.peak_torque / (kTorqueUsed * joint.push_limit), run.peak_speed / (kSpeedUsed * no_load)});
@@ -197,7 +203,7 @@ Result<Done> check(const robot::Joint& joint, const Plan& plan) {
 }  // namespace
 }  // namespace electric
 
-Result<Trial> generate_electric(const robot::Joint& joint, double period_s, const Plan& plan) {
+Result<Trial> generate_electric(const robot::Joint& joint, double period_s, const Plan& plan, const Command& command) {
   using namespace electric;
   FARRIER_TRY(electric::check(joint, plan));
   ElectricMachine machine = electric::machine_of(joint, plan.seed);
@@ -219,8 +225,9 @@ Result<Trial> generate_electric(const robot::Joint& joint, double period_s, cons
     trial.answers.push_back({hidden.name, entry.hide(machine, entry.sizes[hidden.magnitude], extents, chance)});
   }
   double scale = base.scale;
-  for (int tries = 0; tries < 8; ++tries, scale *= 0.8) {
-    electric::Run run = electric::record(joint, period_s, plan, machine, scale, kGrid);
+  for (int tries = 0; tries < (command ? 1 : 8); ++tries, scale *= 0.8) {
+    electric::Run run = electric::record(joint, period_s, plan, machine, kGrid,
+                                         command ? command : excitation(joint, period_s, plan, scale));
     if (run.finite && run.excursion <= kTravelAllowed * machine.travel) {
       trial.samples = std::move(run.samples);
       return trial;

@@ -6,7 +6,6 @@
 #include "diagnosis/judge/joint_bench.hpp"
 #include "diagnosis/judge/not_judged.hpp"
 #include "diagnosis/judge/parallel.hpp"
-#include "diagnosis/model/joint_model.hpp"
 #include "diagnosis/model/sides_of_joint.hpp"
 #include "robot/joint_scales.hpp"
 
@@ -33,23 +32,18 @@ Rules rules_of_electric(Rules rules) {
   return rules;
 }
 
-/// Experiments that tell the alternatives apart. Those of electric joints are not planned.
+/// Experiments that tell the alternatives apart.
 std::vector<Experiment> telling_experiments(const JointSides& sides, const Judgement& judgement,
-                                            const SensorNoiseLevels& noise, double stroke) {
-  const auto* const hydraulic = dynamic_cast<const JointModel*>(&sides);
+                                            const SensorNoiseLevels& noise) {
   std::vector<Experiment> experiments;
-  for (std::size_t i = 0; hydraulic != nullptr && i < judgement.alternatives.size(); ++i) {
+  for (std::size_t i = 0; i < judgement.alternatives.size(); ++i) {
     const auto [named, rival] = judgement.alternatives[i];
-    Hypothesis chosen = judgement.rivals[i];
-    const auto place = std::ranges::find(chosen.effects, rival) - chosen.effects.begin();
-    chosen.effects[static_cast<std::size_t>(place)] = named;
-    // Restores the chosen effect with its numbers in place of the rival.
-    for (std::size_t half = 0; half < 2; ++half) {
-      const auto& all = judgement.chosen.halves[half].model.effects;
-      chosen.halves[half].model.effects[static_cast<std::size_t>(place)] =
-          *std::ranges::find(all, named, &Model::Effect::id);
-    }
-    experiments.push_back(telling_experiment(*hydraulic, chosen, judgement.rivals[i], noise, 0.5 * stroke));
+    const Model& with_rival = judgement.rivals[i].halves[0].model;
+    // The same constants in both: fits of this recording have set them apart, and those of the next one will not.
+    Model with_named = with_rival;
+    *std::ranges::find(with_named.effects, rival, &Model::Effect::id) =
+        *std::ranges::find(judgement.chosen.halves[0].model.effects, named, &Model::Effect::id);
+    experiments.push_back(telling_experiment(sides, judgement.alternatives[i], with_named, with_rival, noise));
   }
   return experiments;
 }
@@ -75,7 +69,7 @@ Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const 
       not_judged(bench, result.judgement.chosen.halves[0].model, result.judgement.left, options.rules.least_reduction);
   const Judgement& judgement = result.judgement;
   result.channels = report_channels(bench, of_joint.simulator(), judgement.base, judgement.chosen);
-  result.experiments = telling_experiments(of_joint.sides(), judgement, of_joint.noise(), joint.actuator.stroke);
+  result.experiments = telling_experiments(of_joint.sides(), judgement, of_joint.noise());
   const ErrorRatio ratio = bench.error_ratio(judgement.base, judgement.chosen);
   result.nrmse_before = ratio.before;
   result.nrmse_after = ratio.after;

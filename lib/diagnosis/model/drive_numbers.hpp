@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -44,6 +45,22 @@ struct DriveNumbers {
     return cogs ? T(cogging * sin(periods_per_turn * position + phase_rad)) : T(0.0);
   }
 };
+
+/// The command within the drive's limits, at a speed of the load.
+template <class T>
+T admitted(const DriveNumbers<T>& n, const T& command_A, double speed) {
+  if (!n.rigid) {
+    return command_A > n.limit_A ? n.limit_A : command_A < -n.limit_A ? T(-n.limit_A) : command_A;
+  }
+  // R u + N K v within +-V_max
+  const double ohm = value_of(n.resistance);
+  const double back_V = value_of(n.reading_Nm_A) * speed;
+  const double high = std::clamp((n.voltage_V - back_V) / ohm, -n.most_A, n.most_A);
+  const double low = std::clamp((-n.voltage_V - back_V) / ohm, -n.most_A, n.most_A);
+  const T most = n.limit_A < high ? n.limit_A : T(high);
+  const T least = -n.limit_A > low ? T(-n.limit_A) : T(low);
+  return command_A > most ? most : command_A < least ? least : command_A;
+}
 
 /// Torque of gear and spring over a step of the mean speeds w of the rotor and v of the load: base + slope (w - v).
 template <class T>

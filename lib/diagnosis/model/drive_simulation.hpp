@@ -50,7 +50,7 @@ class DriveSimulation {
       bent_ += torque_ > 0.0 ? numbers.half_play : T(-numbers.half_play);
     }
     speed_ = T(data.velocity[begin]);
-    lagged_A_ = admitted(command_.mean(begin), data.velocity[begin]);
+    lagged_A_ = admitted(numbers, command_.mean(begin), data.velocity[begin]);
     current_A_ = (torque_ + numbers.damping * speed_) / numbers.constant;
     const T inertia = 2.0 / h * numbers.inductance;
     const T per_volt = 1.0 / (inertia + numbers.resistance);
@@ -134,21 +134,6 @@ class DriveSimulation {
     return {data.position[k] + along(s + 0.5 * kStep), (along(s + kStep) - along(s)) / (h * kStep)};
   }
 
-  /// The command within the drive's limits, at a speed of the load.
-  T admitted(const T& command_A, double speed) const {
-    if (!n_->rigid) {
-      return command_A > n_->limit_A ? n_->limit_A : command_A < -n_->limit_A ? T(-n_->limit_A) : command_A;
-    }
-    // R u + N K v within +-V_max
-    const double ohm = value_of(n_->resistance);
-    const double back_V = value_of(n_->reading_Nm_A) * speed;
-    const double high = std::clamp((n_->voltage_V - back_V) / ohm, -n_->most_A, n_->most_A);
-    const double low = std::clamp((-n_->voltage_V - back_V) / ohm, -n_->most_A, n_->most_A);
-    const T most = n_->limit_A < high ? n_->limit_A : T(high);
-    const T least = -n_->limit_A > low ? T(-n_->limit_A) : T(low);
-    return command_A > most ? most : command_A < least ? least : command_A;
-  }
-
   /// Mean of the lagged command over a substep.
   T lagged(const T& command_A) {
     if (value_of(n_->lag_s) <= 0.0) {
@@ -160,7 +145,7 @@ class DriveSimulation {
   }
 
   void rigid_step(const T& command_A, double speed, T* mean_torque) {
-    const T wanted = n_->reading_Nm_A * admitted(command_A, speed);
+    const T wanted = n_->reading_Nm_A * admitted(*n_, command_A, speed);
     const T off = torque_ - wanted;
     torque_ = wanted + keep_ * off;
     if (mean_torque != nullptr) {
@@ -172,7 +157,7 @@ class DriveSimulation {
     const DriveNumbers<T>& n = *n_;
     const double h = step_of(*data_);
     // Mean current i = alpha - beta w: (2 L / h) (i - i_0) = R (u - i) - N K w.
-    const T alpha = of_current_ * current_A_ + of_command_ * lagged(admitted(command_A, load_speed));
+    const T alpha = of_current_ * current_A_ + of_command_ * lagged(admitted(n, command_A, load_speed));
     const GearStep<T> gear = gear_step(n, bent_, value_of(speed_) - load_speed, h, gear_slope_);
     // (2 J N^2 / h) (w - w_0) = N K i - d_r w - friction - cogging - T.
     T push = mass_ * speed_ + n.constant * alpha - gear.base + gear.slope * load_speed;

@@ -7,16 +7,10 @@
 #include "diagnosis/model/constants.hpp"
 #include "diagnosis/model/drive_simulation.hpp"
 #include "diagnosis/model/load_simulation.hpp"
+#include "diagnosis/model/rotor_and_load.hpp"
 #include "diagnosis/model/sensed_force.hpp"
 
 namespace farrier::diagnosis {
-
-/// The nominal load of an electric joint with a model's factors.
-template <class T>
-struct LoadNumbers {
-  T mass, damping, stiffness;
-  double slack_position;
-};
 
 /// Simulates the load of an electric joint from a sample on, driven by the measured torque. The rotor of a rigid
 /// drive moves with the load, or at the other end of a soft gear. A copy continues from the state of the original. The drive
@@ -94,18 +88,14 @@ class ElectricLoad {
     v_ += 2.0 * (mean - v_);
   }
 
-  /// Rotor and load, each at its end of the gear. Mean speed of the rotor: w = a + b v.
-  void move_apart(plant::LoadMoment<T>& load, const T& torque, double h) {
+  /// Rotor and load, each at its end of the gear.
+  void move_apart(const plant::LoadMoment<T>& load, const T& torque, double h) {
     const GearStep<T> dry = dry_step(*n_, rotor_);
     const GearStep<T> gear = gear_step(*n_, bent_, value_of(rotor_) - value_of(v_), h, gear_slope(*n_, h));
     const T mass = 2.0 / h * n_->rotor;
-    const T along = 1.0 / (mass + n_->damping + dry.slope + gear.slope);
-    const T a = (mass * rotor_ + torque - dry.base - gear.base) * along;
-    const T b = gear.slope * along;
-    load.damping += gear.slope * (1.0 - b);
-    const T mean = mean_speed(load, x_, v_, T(gear.base + gear.slope * a), h);
+    const RotorStep<T> rotor{mass * rotor_ + torque - dry.base, mass + n_->damping + dry.slope};
+    const auto [rotor_mean, mean] = mean_speeds(load, rotor, gear, x_, v_, h);
     terms_.after_load(mean);
-    const T rotor_mean = a + b * mean;
     x_ += h * mean;
     v_ += 2.0 * (mean - v_);
     rotor_ += 2.0 * (rotor_mean - rotor_);

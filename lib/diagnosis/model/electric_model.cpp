@@ -1,8 +1,12 @@
 #include "diagnosis/model/electric_model.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "diagnosis/model/electric_load.hpp"
+#include "diagnosis/model/electric_response.hpp"
 #include "diagnosis/model/electric_starts.hpp"
 #include "diagnosis/model/jets.hpp"
 #include "diagnosis/model/side_runs.hpp"
@@ -17,6 +21,8 @@ constexpr ChannelMask kOnLoad{false, true, false};
 constexpr std::array kShared{"input_delay",      "backlash",          "load_mass",           "load_stiffness",
                              "load_damping",     "spring_hardening",  "external_force",      "load_friction",
                              "force_sensor_lag", "force_sensor_gain", "force_sensor_offset", "velocity_filter_lag"};
+
+constexpr double kHold_Hz = 2.0;
 
 constexpr std::size_t kLoadNominals = static_cast<std::size_t>(Nominal::kMass);
 
@@ -128,26 +134,30 @@ struct ElectricModel::Parts {
 };
 
 template <class T>
-ElectricModel::Parts<T> ElectricModel::parts(const JointData& data, const std::array<T, kNominals>& factors,
+ElectricModel::Parts<T> ElectricModel::parts(const Steps& steps, const std::array<T, kNominals>& factors,
                                              const EffectNumbers<T>& effects) const {
   const auto of_load = [&](Nominal place) { return factors[static_cast<std::size_t>(place)]; };
-  Parts<T> parts{drive_numbers(drive_, scales_, factors, effects, DriveSimulation<T>::step_of(data)),
+  Parts<T> parts{drive_numbers(drive_, scales_, factors, effects, steps.drive_s),
                  {of_load(Nominal::kMass) * load_.mass, of_load(Nominal::kDamping) * load_.damping,
                   of_load(Nominal::kStiffness) * load_.stiffness, load_.equilibrium_position},
                  {}};
   for (const auto& [id, fitted] : effects) {
     if (id < plant::kEffectCount && !is(id, "backlash")) {
       const bool of_side = plant::effect_info(id).side == plant::Side::kLoad;
-      parts.terms.add(id, fitted.data(), scales_, of_side ? data.load_step_s() : data.period_s);
+      parts.terms.add(id, fitted.data(), scales_, of_side ? steps.load_s : steps.period_s);
     }
   }
   return parts;
 }
 
+ElectricModel::Steps ElectricModel::steps_of(const JointData& data) noexcept {
+  return {data.period_s, DriveSimulation<double>::step_of(data), data.load_step_s()};
+}
+
 template <class T>
 std::vector<T> ElectricModel::run(const JointData& data, Span span, const std::array<T, kNominals>& factors,
                                   const EffectNumbers<T>& effects, Channel channel, const Observer& observer) const {
-  Parts<T> joint = parts(data, factors, effects);
+  Parts<T> joint = parts(steps_of(data), factors, effects);
   switch (channel) {
     case Channel::kForce:
       return run_drive<T>(data, span, DriveSimulation<T>(data, joint.drive, joint.terms, span.begin), observer.oil_s);
@@ -174,8 +184,8 @@ std::vector<double> ElectricModel::simulate_lanes(const JointData& data, Span sp
   if (channel != Channel::kMotion || moves_drive(model, lanes)) {
     return values_and_jacobian(run<Jet>(data, span, factors, effects, channel, observer), lanes.size(), jacobian);
   }
-  const Parts<double> drive = parts<double>(data, model.factors, effect_numbers(model));
-  const Parts<Jet> joint = parts(data, factors, effects);
+  const Parts<double> drive = parts<double>(steps_of(data), model.factors, effect_numbers(model));
+  const Parts<Jet> joint = parts(steps_of(data), factors, effects);
   const ElectricLoad<Jet, double> load(data, joint.drive, joint.load, joint.terms, drive.drive, drive.terms,
                                        span.begin);
   return values_and_jacobian(run_load<Jet>(data, span, load, observer.load_s), lanes.size(), jacobian);
@@ -201,7 +211,7 @@ bool ElectricModel::moves_drive(const Model& model, const std::vector<std::size_
 
 std::vector<double> ElectricModel::errors_ahead(const JointData& data, Span span, const Model& model, Channel channel,
                                                 const Observer& observer, std::size_t steps, std::size_t every) const {
-  const Parts<double> joint = parts<double>(data, model.factors, effect_numbers(model));
+  const Parts<double> joint = parts<double>(steps_of(data), model.factors, effect_numbers(model));
   return channel == Channel::kForce
              ? drive_errors_ahead(data, span, DriveSimulation<double>(data, joint.drive, joint.terms, span.begin),
                                   observer.oil_s, steps, every)
@@ -209,6 +219,20 @@ std::vector<double> ElectricModel::errors_ahead(const JointData& data, Span span
                                  ElectricLoad<double>(data, joint.drive, joint.load, joint.terms, joint.drive,
                                                       joint.terms, span.begin),
                                  observer.load_s, steps, every);
+}
+
+Hold ElectricModel::hold() const noexcept {
+  const double mass = load_.mass + (drive_.rigid ? plant::armature_kg_m2(drive_) : 0.0);
+  const double rate = 2.0 * std::numbers::pi * kHold_Hz;
+  const double stiffness = std::min(mass * rate * rate, largest_force() / drive_.travel);
+  return {stiffness, std::sqrt(stiffness * mass)};
+}
+
+std::vector<plant::JointReadings> ElectricModel::respond(const Model& model, std::span<const double> current_A,
+                                                         double period_s) const {
+  const double step_s = period_s / kWholeSubsteps;
+  const Parts<double> whole = parts<double>({period_s, step_s, step_s}, model.factors, effect_numbers(model));
+  return electric_response({whole.drive, whole.load, whole.terms, 0.5 * drive_.travel, hold()}, current_A, period_s);
 }
 
 }  // namespace farrier::diagnosis

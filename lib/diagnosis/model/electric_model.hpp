@@ -42,11 +42,23 @@ class ElectricModel final : public JointSides {
   std::vector<double> errors_ahead(const JointData& data, Span span, const Model& model, Channel channel,
                                    const Observer& observer, std::size_t steps, std::size_t every) const override;
 
+  /// A spring of 2 Hz with half the critical damping, which asks at most half the rating at an end of the travel.
+  Hold hold() const noexcept override;
+  double torque_per_A() const noexcept override { return drive_.gear_ratio * drive_.torque_constant_Nm_A; }
+  double largest_force() const noexcept override { return scales_.of(plant::Scale::kForce); }
+  std::vector<plant::JointReadings> respond(const Model& model, std::span<const double> current_A,
+                                            double period_s) const override;
+
  private:
+  /// Steps that contacts and lags of a simulation have, s.
+  struct Steps {
+    double period_s, drive_s, load_s;
+  };
+  static Steps steps_of(const JointData& data) noexcept;
   template <class T>
   struct Parts;
   template <class T>
-  Parts<T> parts(const JointData& data, const std::array<T, kNominals>& factors, const EffectNumbers<T>& effects) const;
+  Parts<T> parts(const Steps& steps, const std::array<T, kNominals>& factors, const EffectNumbers<T>& effects) const;
   /// True if a lane is by a number on which the torque at the sensor depends.
   bool moves_drive(const Model& model, const std::vector<std::size_t>& lanes) const noexcept;
   template <class T>

@@ -49,6 +49,8 @@ class JointModel final : public JointSides {
   std::vector<double> simulate_lanes(const JointData& data, Span span, const Model& model, Channel channel,
                                      const Observer& observer, const std::vector<std::size_t>& lanes,
                                      std::vector<double>& jacobian) const override;
+  std::vector<plant::JointReadings> respond(const Model& model, std::span<const double> current_A,
+                                            double period_s) const override;
 
  private:
   template <class T>

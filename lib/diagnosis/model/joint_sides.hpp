@@ -1,13 +1,21 @@
 #pragma once
 
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "diagnosis/data/joint_data.hpp"
 #include "diagnosis/data/recording.hpp"
 #include "diagnosis/model/model.hpp"
+#include "plant/joint.hpp"
 #include "plant/terms/terms.hpp"
 
 namespace farrier::diagnosis {
+
+/// Spring and damper by which a joint's command holds it amid its travel, Nm/rad and Nms/rad. Zeros: it is not held.
+struct Hold {
+  double stiffness = 0.0, damping = 0.0;
+};
 
 /// Simulations of the two sides into which the force sensor splits a joint, and of its velocity sensor. Hydraulic joints
 /// are a JointModel, electric ones an ElectricModel.
@@ -50,6 +58,17 @@ class JointSides {
   /// JointData::kMotionTime_s.
   virtual std::vector<double> errors_ahead(const JointData& data, Span span, const Model& model, Channel channel,
                                            const Observer& observer, std::size_t steps, std::size_t every) const = 0;
+
+  /// Hold that keeps the joint amid its travel under a command without mean.
+  virtual Hold hold() const noexcept { return {}; }
+  /// Torque that the drive's command of 1 A asks for, Nm/A; 0 of a valve.
+  virtual double torque_per_A() const noexcept { return 0.0; }
+  /// Largest force at the sensor for which the joint is made, N or Nm.
+  virtual double largest_force() const noexcept { return std::numeric_limits<double>::infinity(); }
+  /// Readings of the whole joint with the model's effects, a period each, from rest amid its travel under `current_A`
+  /// beside hold(). Empty if no such joint can be simulated.
+  virtual std::vector<plant::JointReadings> respond(const Model& model, std::span<const double> current_A,
+                                                    double period_s) const = 0;
 };
 
 /// Starts of an effect of either kind of joint: those of the library, springs slack where the load's is or amid the

@@ -4,7 +4,6 @@
 
 #include "diagnosis/judge/joint_bench.hpp"
 #include "diagnosis/judge/parallel.hpp"
-#include "diagnosis/model/joint_model.hpp"
 #include "diagnosis/model/sides_of_joint.hpp"
 
 namespace farrier::diagnosis {
@@ -30,15 +29,12 @@ Model with_effect(Model model, plant::EffectId id, const std::vector<double>& nu
   return model;
 }
 
-/// The experiment under which joints of both models differ enough, if it is a hydraulic joint and one was found.
+/// The experiment under which joints of both models differ enough, if one was found. They differ in their last effects.
 std::optional<Experiment> experiment_for(const JointBench& of_joint, const Model& one, const Model& other) {
-  const auto* const hydraulic = dynamic_cast<const JointModel*>(&of_joint.sides());
-  if (hydraulic == nullptr) {
-    return std::nullopt;
-  }
-  const Experiment best = telling_experiment(*hydraulic, hypothesis_of(one), hypothesis_of(other), of_joint.noise(),
-                                             0.5 * hydraulic->actuator().stroke);
-  return best.difference > kTellingDifference ? std::optional(best) : std::nullopt;
+  const plant::EffectId last = one.effects.back().id;
+  const Experiment best = telling_experiment(
+      of_joint.sides(), {last, other.effects.empty() ? last : other.effects.back().id}, one, other, of_joint.noise());
+  return best.tells() ? std::optional(best) : std::nullopt;
 }
 
 /// A pair, with the numbers of the effect that explains the other.

@@ -33,12 +33,8 @@ struct ToldMember {
   Remedy remedy;
 };
 
-/// Difference of two simulated joints, over a sensor's noise, from which an experiment tells them apart.
-inline constexpr double kTellingDifference = 3.0;
-
 /// Says before any verdict which effects a recording can show and tell apart: see effect_visibilities(). For a pair that it
-/// does not tell apart, what would: a column that was not recorded, else an experiment (telling_experiment(), hydraulic joints
-/// alone). Refused recordings and those that move too little are the caller's business, as for diagnose().
+/// does not tell apart, what would: a column that was not recorded, else an experiment (telling_experiment()). Refused recordings and those that move too little are the caller's business, as for diagnose().
 WhatCanBeTold what_can_be_told(const Recording& recording, const robot::Joint& joint, const DiagnosisOptions& options);
 
 /// Says the same of the effects of a set, each of its usual size: see member_visibilities(). `set` has no effect twice, and

@@ -62,6 +62,35 @@ TEST_P(ElectricModelOf, FollowsTheWholeJointsTorqueAndMotion) {
   EXPECT_LT(relative_error(data.motion, motion, 300), 0.0005);
 }
 
+TEST_P(ElectricModelOf, RespondsAsTheWholeJointDoes) {
+  const ElectricModel model = model_of(joint());
+  const plant::ElectricParams& a = *joint().electric;
+  const Hold hold = model.hold();
+  const NoiseStream draw(7, "electric_model_test", "steps");
+  std::vector<double> current_A;
+  for (int k = 0; k < 2000; ++k) {
+    current_A.push_back(0.1 * joint().push_limit / model.torque_per_A() * (2.0 * draw.uniform(k / 20) - 1.0));
+  }
+  const std::vector<plant::JointReadings> readings = model.respond(Model::nominal(), current_A, 0.001);
+  auto whole = plant::ElectricJoint::create(a, joint().swing_load,
+                                            plant::equilibrium(a, joint().swing_load, 0.5 * a.travel, 0.0));
+  std::vector<double> position, velocity, torque, read_position, read_velocity, read_torque;
+  for (std::size_t k = 0; k < current_A.size(); ++k) {
+    const plant::ElectricState& state = whole.value().state();
+    position.push_back(state.position - 0.5 * a.travel);
+    velocity.push_back(state.velocity);
+    torque.push_back(whole.value().load_cell_force());
+    read_position.push_back(readings[k].position - 0.5 * a.travel);
+    read_velocity.push_back(readings[k].velocity);
+    read_torque.push_back(readings[k].load_cell_force);
+    const double held_Nm = hold.stiffness * position.back() + hold.damping * state.velocity;
+    whole.value().step(current_A[k] - held_Nm / model.torque_per_A(), 0.0, 0.001);
+  }
+  EXPECT_LT(relative_error(position, read_position, 0), 0.005);
+  EXPECT_LT(relative_error(velocity, read_velocity, 0), 0.005);
+  EXPECT_LT(relative_error(torque, read_torque, 0), 0.005);
+}
+
 TEST_P(ElectricModelOf, HasDerivativesThatAreThoseOfDifferences) {
   const ElectricModel model = model_of(joint());
   const JointData data = model.prepared(recorded(joint(), 1.0), joint().noise.position);

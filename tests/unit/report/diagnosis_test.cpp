@@ -145,6 +145,29 @@ TEST_F(DiagnosisReport, JsonHasThePairAndTheExperimentThatWouldTellItApart) {
   EXPECT_EQ(j["experiments"].size(), 1u);
 }
 
+TEST_F(DiagnosisReport, ExperimentOfAnElectricJointIsATorqueBesideAHold) {
+  Diagnosis d = inseparable();
+  EXPECT_TRUE(json(d)["experiment"]["hold_stiffness_Nm_rad"].is_null());
+  d.experiments.front().amplitude_Nm = 7.1;
+  d.experiments.front().hold = {8.0, 0.6};
+  const auto experiment = json(d)["experiment"];
+  EXPECT_EQ(experiment["amplitude_Nm"], 7.1);
+  EXPECT_EQ(experiment["hold_stiffness_Nm_rad"], 8.0);
+  EXPECT_EQ(experiment["hold_damping_Nms_rad"], 0.6);
+  EXPECT_EQ(experiment["text"],
+            "a sine of the commanded torque of 7.1 Nm (0.002 A) at 3 Hz for 10 s, beside a hold amid the travel of 8 "
+            "Nm/rad and 0.6 Nms/rad: they differ by 7.5 times a sensor's noise");
+}
+
+TEST_F(DiagnosisReport, SaysThatNoExperimentThatWasTriedTellsAPairApart) {
+  Diagnosis d = inseparable();
+  d.experiments.front().difference = 1.2;
+  EXPECT_NE(console(d).find("this recording does not tell load_friction from load_damping; no sine and no steps of the "
+                            "current that were tried would: they differ by 1.2 times a sensor's noise at most"),
+            std::string::npos)
+      << console(d);
+}
+
 TEST_F(DiagnosisReport, JsonOfBadDataHasItsFindingsAndNothingElse) {
   const auto j = json(bad());
   EXPECT_EQ(j["verdict"], "bad_data");
