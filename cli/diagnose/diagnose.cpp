@@ -100,27 +100,33 @@ Outputs outputs_of(const DiagnoseOptions& o, const robot::Robot& robot, const ro
           .model = in_out(robot.name + "_" + joint.name + "_extended.yaml")};
 }
 
-/// The effects found, into the file of the extended model, which is loaded again; its path, empty where there are none.
-Result<std::string> write_model(const std::string& path, const robot::Robot& robot, const robot::Joint& joint,
-                                const Diagnosis& found) {
+/// Writes the effects found into the file of the extended model, unless `path` is empty, and measures by the recording
+/// what that file explains.
+Result<report::ModelOfDiagnosis> write_model(const std::string& path, const robot::Robot& robot,
+                                             const robot::Joint& joint, const Recording& recording,
+                                             const Diagnosis& found) {
+  report::ModelOfDiagnosis made;
   const std::vector<plant::ActiveEffect> effects = diagnosis::found_effects(found, joint);
-  if (effects.empty() || joint.electric) {
-    return std::string();
+  if (effects.empty()) {
+    return made;
   }
-  const auto model = report::extended_model(robot, joint, effects);
-  if (!model) {
-    return model.error();
+  const auto model = FARRIER_TRY(report::extended_model(robot, joint, effects));
+  made.left_out = model.left_out;
+  if (model.text.empty()) {
+    return made;
   }
-  if (path.empty()) {
-    return std::string();
+  const auto loaded = robot::load_robot_text(model.text, "extended model");
+  made.error = diagnosis::error_ratio(recording, joint, *loaded.value().find(joint.name));
+  if (!path.empty()) {
+    const std::string head =
+        "# " + robot.name + " with the effects that farrier diagnose found at joint " + joint.name + ".\n";
+    FARRIER_TRY(replace_file(path, head + model.text));
+    if (const auto again = robot::load_robot(path); !again) {
+      return Error{"the extended model does not load: " + config::to_string(again.error())};
+    }
+    made.path = path;
   }
-  const std::string head =
-      "# " + robot.name + " with the effects that farrier diagnose found at joint " + joint.name + ".\n";
-  FARRIER_TRY(replace_file(path, head + model.value()));
-  if (const auto loaded = robot::load_robot(path); !loaded) {
-    return Error{"the extended model does not load: " + config::to_string(loaded.error())};
-  }
-  return path;
+  return made;
 }
 
 int finish(const report::DiagnosisResult& result, const Outputs& outputs, const DiagnoseOptions& o) {
@@ -233,7 +239,7 @@ int diagnose(const DiagnoseOptions& o) {
   }
   const Diagnosis found = with_options(
       o.threads, [&](const auto& options) { return diagnosis::diagnose(recording.value(), *joint.value(), options); });
-  const auto model = write_model(outputs.model, robot, *joint.value(), found);
+  const auto model = write_model(outputs.model, robot, *joint.value(), recording.value(), found);
   if (!model) {
     return fail("diagnose", model.error().message);
   }
@@ -242,7 +248,7 @@ int diagnose(const DiagnoseOptions& o) {
                  .joint = *joint.value(),
                  .recording = o.recording,
                  .period_s = recording.value().period_s,
-                 .extended_model = model.value(),
+                 .model = model.value(),
                  .control = control_gain(robot, *joint.value(), found)},
                 outputs, o);
 }

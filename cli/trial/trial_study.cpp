@@ -78,18 +78,18 @@ Result<std::vector<plant::ActiveEffect>> TrialStudy::diagnose_all(const TrotOpti
 }
 
 Result<std::string> TrialStudy::write_world(const robot::Robot& world, const std::string& joint) const {
-  const auto text = FARRIER_TRY(report::extended_model(nominal_, *nominal_.find(joint), world.find(joint)->effects));
+  const auto model = FARRIER_TRY(report::extended_model(nominal_, *nominal_.find(joint), world.find(joint)->effects));
   const std::string path = o_.out + "/log/world.yaml";
-  FARRIER_TRY(replace_file(path, text));
+  FARRIER_TRY(replace_file(path, model.text));
   return path;
 }
 
 Result<robot::Robot> TrialStudy::extend(const robot::Joint& joint, const std::vector<plant::ActiveEffect>& effects,
-                                       std::uint64_t seed) {
-  const auto text = FARRIER_TRY(report::extended_model(nominal_, joint, effects));
+                                        std::uint64_t seed) {
+  const auto model = FARRIER_TRY(report::extended_model(nominal_, joint, effects));
   const std::string path =
       o_.out + "/" + nominal_.name + "_" + joint.name + "_seed_" + std::to_string(seed) + "_extended.yaml";
-  FARRIER_TRY(replace_file(path, text));
+  FARRIER_TRY(replace_file(path, model.text));
   auto loaded = robot::load_robot(path);
   if (!loaded) {
     return Error{config::to_string(loaded.error())};
@@ -106,8 +106,8 @@ Result<Done> TrialStudy::run(std::uint64_t seed, const std::vector<double>& nomi
   TrotOptions recorded = o_;
   if (o_.seeds > 1) {
     const std::filesystem::path path = o_.record_path;
-    recorded.record_path = path.parent_path() / (path.stem().string() + "_seed_" + std::to_string(seed) +
-                                                 path.extension().string());
+    recorded.record_path =
+        path.parent_path() / (path.stem().string() + "_seed_" + std::to_string(seed) + path.extension().string());
   }
   recordings_.push_back(recorded.record_path);
   auto hidden = FARRIER_TRY(run_once(nominal_, recorded, at, {&world, world_path}));
@@ -127,8 +127,8 @@ Result<Done> TrialStudy::run(std::uint64_t seed, const std::vector<double>& nomi
   if (!found.empty()) {
     const auto extended = FARRIER_TRY(extend(*nominal_.find(trial.suspect()->joint), found, seed));
     const std::string path = o_.out + "/trace_known.csv";
-    auto ran = run_in_process(extended, o_, o_.design.value(), path, at + ", known",
-                              {.world = &world, .record_path = {}});
+    auto ran =
+        run_in_process(extended, o_, o_.design.value(), path, at + ", known", {.world = &world, .record_path = {}});
     if (!ran) {
       return ran.error();
     }

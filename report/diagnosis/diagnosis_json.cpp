@@ -81,7 +81,9 @@ std::string diagnosis_json(const DiagnosisResult& result, const Outcome& outcome
                        {"old_nrmse", result.control->old_nrmse},
                        {"new_nrmse", result.control->new_nrmse}};
   }
-  json["extended_model"] = result.extended_model.empty() ? Json(nullptr) : Json(result.extended_model);
+  json["extended_model"] = result.model.path.empty() ? Json(nullptr) : Json(result.model.path);
+  json["extended_model_held_out"] = result.model.error ? json_of(*result.model.error) : Json(nullptr);
+  json["extended_model_lacks"] = result.model.left_out;
   json["channels"] = Json::array();
   for (const diagnosis::ChannelReport& channel : d.channels) {
     json["channels"].push_back(channel_json(channel, result));

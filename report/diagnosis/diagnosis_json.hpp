@@ -17,7 +17,9 @@ namespace farrier::report {
 /// "amplitude_A", "frequency_Hz", "duration_s", "amplitude_Nm", "hold_stiffness_Nm_rad", "hold_damping_Nms_rad" (null of
 /// a hydraulic joint), "difference", "text"} or null, of the first alternatives. "experiments"
 /// are all of them, and "not_judged" is [name]. "held_out": {"nrmse_before", "nrmse_after", "low", "high" (95 % of the
-/// one over the other)} or null. "control": {"effect", "old_nrmse", "new_nrmse"} or null. "channels": [{"name", "unit",
+/// one over the other)} or null. "control": {"effect", "old_nrmse", "new_nrmse"} or null.
+/// "extended_model_held_out" is as "held_out", of the extended model as its file loads, and "extended_model_lacks" is [text],
+/// the effects that a robot file has no place for. "channels": [{"name", "unit",
 /// "dependences": [{"driver", "explained", "shape", "from", "mean", "deviation"}], "left": {"rms", "expected",
 /// "nrmse"}}]. "remarks" is [text]. With bad data and wrong wiring "findings" are [{"what", "row", "text"}]. "wiring", with
 /// that verdict alone and in the order of "findings", is [{"what", "columns", "amount" (factor or samples), "joint" (whose

@@ -17,6 +17,14 @@ struct ControlGain {
   double old_nrmse, new_nrmse;  ///< of the force, with controllers for the model as given and for the extended one
 };
 
+/// The robot file with the effects that a diagnosis found.
+struct ModelOfDiagnosis {
+  std::string path = {};                   ///< of the file; empty: none was written
+  std::vector<std::string> left_out = {};  ///< effects without a place in it, a sentence each
+  std::optional<diagnosis::ErrorRatio> error =
+      {};  ///< of the file as given and of this one; none: there is no such file
+};
+
 /// A diagnosis and what it is about. Refers to what it is made of; lives no longer than a call.
 struct DiagnosisResult {
   const diagnosis::Diagnosis& diagnosis;
@@ -26,7 +34,7 @@ struct DiagnosisResult {
   double period_s = 0.0;                             ///< of the recording; 0 for data that could not be read
   std::vector<diagnosis::Finding> findings = {};     ///< what is wrong with bad data, or with the wiring
   std::vector<diagnosis::WiringAnswer> wiring = {};  ///< of the verdict `wiring`, in the order of `findings`
-  std::string extended_model = {};                   ///< path of the file; empty: none was written
+  ModelOfDiagnosis model = {};
   std::optional<ControlGain> control = {};
 };
 

@@ -143,11 +143,10 @@ std::vector<std::string> next_steps(const DiagnosisResult& result) {
       break;
   }
   if (!judgement.effects.empty()) {
-    steps.emplace_back(
-        result.joint.electric
-            ? "If the machine is to stay as it is, put the sizes of the table into the drive and the load "
-              "of the robot file."
-            : "If the machine is to stay as it is, use the extended model: controllers then expect it.");
+    steps.emplace_back(result.model.error
+                           ? "If the machine is to stay as it is, use the extended model: controllers then expect it."
+                           : "If the machine is to stay as it is, its controllers cannot expect it: " +
+                                 model_text(result.model) + ".");
   }
   if (!judgement.effects.empty()) {
     steps.emplace_back("Record again after the repair: the diagnosis should then find nothing.");
@@ -159,12 +158,17 @@ std::vector<std::string> next_steps(const DiagnosisResult& result) {
 }
 
 std::string model_html(const DiagnosisResult& result) {
-  if (result.extended_model.empty()) {
-    return "";
+  const ModelOfDiagnosis& model = result.model;
+  std::string html;
+  if (!model.path.empty()) {
+    const std::string file = escape_html(std::filesystem::path(model.path).filename().string());
+    html += "<p>Extended model: <a href=\"" + file + "\">" + file + "</a>, the robot file with these effects of " +
+            escape_html(result.joint.name) + ". It was loaded again.</p>\n";
   }
-  const std::string file = escape_html(std::filesystem::path(result.extended_model).filename().string());
-  return "<p>Extended model: <a href=\"" + file + "\">" + file + "</a>, the robot file with these effects of " +
-         escape_html(result.joint.name) + ". It was loaded again.</p>\n";
+  if (model.error) {
+    html += paragraph("Its error on time that no fit has seen, NRMSE: " + gain_text(*model.error) + ".");
+  }
+  return html + (model.left_out.empty() ? "" : paragraph("It does not have:") + list(model.left_out));
 }
 
 }  // namespace

@@ -208,6 +208,12 @@ std::string gain_text(const diagnosis::ErrorRatio& error) {
          short_number(error.high) + ")";
 }
 
+std::string model_text(const ModelOfDiagnosis& model) {
+  return !model.path.empty() ? model.path + ", which loads"
+         : model.error       ? "not written: give --out"
+                             : "none: a robot file has no place for the effects found";
+}
+
 std::string control_text(const DiagnosisResult& result) {
   return result.control ? "force control that knows " + result.control->effect + ": NRMSE " +
                               short_number(result.control->old_nrmse) + " before, " +
@@ -245,13 +251,14 @@ std::string diagnosis_console(const DiagnosisResult& result) {
     text += "  " + line + "\n";
   }
   if (!d.judgement.effects.empty()) {
-    text += "\nextended model: " +
-            (result.joint.electric
-                 ? "robot files have no effects of electric joints; change the values of its drive and load"
-             : result.extended_model.empty() ? "not written: give --out"
-                                             : result.extended_model + ", which loads") +
-            "\n";
+    text += "\nextended model: " + model_text(result.model) + "\n";
+    for (const std::string& line : result.model.left_out) {
+      text += "  without " + line + "\n";
+    }
     text += "held-out NRMSE: " + gain_text(error_of(d)) + "\n";
+    if (result.model.error) {
+      text += "held-out NRMSE of the extended model: " + gain_text(*result.model.error) + "\n";
+    }
   }
   if (const std::string control = control_text(result); !control.empty()) {
     text += control + "\n";

@@ -56,6 +56,9 @@ std::string effect_text(const ShownEffect& effect);
 /// "0.12 before, 0.03 after: 4.1 times less (95 %: 3.6 to 4.5)".
 std::string gain_text(const diagnosis::ErrorRatio& error);
 
+/// Path of the extended model, or why there is none.
+std::string model_text(const ModelOfDiagnosis& model);
+
 /// "force control that knows load_friction: NRMSE 0.1 before, 0.05 after"; empty where it was not measured.
 std::string control_text(const DiagnosisResult& result);
 

@@ -1,11 +1,10 @@
 #include "report/diagnosis/extended_model.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <string_view>
+#include <utility>
+
+#include "report/diagnosis/extended_electric.hpp"
 
 namespace farrier::report {
 namespace {
@@ -29,28 +28,59 @@ robot::EffectSection section_of(const plant::ActiveEffect& effect, bool rotary) 
   return section;
 }
 
+/// The file's text with the joint that it loads to again.
+struct Reloaded {
+  std::string text;
+  robot::Robot robot;
+};
+
+Result<Reloaded> reloaded(const robot::Robot& extended) {
+  std::string text = robot::print_config(extended);
+  auto loaded = robot::load_robot_text(text, "extended model");
+  if (!loaded) {
+    return Error{"the model with the effects found cannot be loaded: " + config::to_string(loaded.error())};
+  }
+  return Reloaded{std::move(text), std::move(loaded).value()};
+}
+
+ExtendedModel electric_model(robot::Robot extended, const robot::Joint& joint,
+                             std::span<const plant::ActiveEffect> found) {
+  ExtendedModel model;
+  model.left_out = put_into_drive_and_load(extended.file, joint, found);
+  if (model.left_out.size() < found.size()) {
+    auto again = reloaded(extended);
+    if (!again) {
+      model.left_out.push_back(again.error().message);
+    } else if (again.value().robot.find(joint.name)->electric->rigid != joint.electric->rigid) {
+      model.left_out.emplace_back("gear_stiffness: a drive with so stiff a spring counts as rigid in a robot file");
+    } else {
+      model.text = std::move(again.value().text);
+    }
+  }
+  return model;
+}
+
 }  // namespace
 
-Result<std::string> extended_model(const robot::Robot& robot, const robot::Joint& joint,
-                                   std::span<const plant::ActiveEffect> found) {
+Result<ExtendedModel> extended_model(const robot::Robot& robot, const robot::Joint& joint,
+                                     std::span<const plant::ActiveEffect> found) {
   robot::Robot extended = robot;
+  if (joint.electric) {
+    return electric_model(std::move(extended), joint, found);
+  }
   robot::JointEffectsSection& section = section_of(extended.file, joint.name);
   for (const plant::ActiveEffect& effect : found) {
     section.effects[effect.id] = section_of(effect, joint.rotary);
   }
-  const std::string text = robot::print_config(extended);
-  const auto loaded = robot::load_robot_text(text, "extended model");
-  if (!loaded) {
-    return Error{"the model with the effects found cannot be loaded: " + config::to_string(loaded.error())};
-  }
-  const robot::Joint* const again = loaded.value().find(joint.name);
+  Reloaded again = FARRIER_TRY(reloaded(extended));
+  const robot::Joint* const known = again.robot.find(joint.name);
   for (const plant::ActiveEffect& effect : found) {
-    if (again == nullptr || std::ranges::find(again->effects, effect) == again->effects.end()) {
+    if (known == nullptr || std::ranges::find(known->effects, effect) == known->effects.end()) {
       return Error{"the model with the effects found loads without " + std::string(effect.info().name) + " of " +
                    joint.name};
     }
   }
-  return text;
+  return ExtendedModel{std::move(again.text), {}};
 }
 
 }  // namespace farrier::report

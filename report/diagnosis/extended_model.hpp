@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/result.hpp"
 #include "plant/terms/active_effect.hpp"
@@ -9,10 +10,15 @@
 
 namespace farrier::report {
 
-/// The robot file, defaults filled in, with these effects of a joint in its section `effects`; one that the joint has
-/// already gets the new numbers. Refuses with the reader's problems what does not load again to a joint with these
-/// effects.
-Result<std::string> extended_model(const robot::Robot& robot, const robot::Joint& joint,
-                                   std::span<const plant::ActiveEffect> found);
+struct ExtendedModel {
+  std::string text;                   ///< of the robot file; empty: it has a place for none of the effects
+  std::vector<std::string> left_out;  ///< effects without a place in it, or why the file does not load, a sentence each
+};
+
+/// The robot file, defaults filled in, with these effects of a joint: in its section `effects`, where one that the joint
+/// has already gets the new numbers, or in the values of an electric joint's drive and load
+/// (put_into_drive_and_load()). Refuses with the reader's problems effects of a hydraulic joint that do not load again.
+Result<ExtendedModel> extended_model(const robot::Robot& robot, const robot::Joint& joint,
+                                     std::span<const plant::ActiveEffect> found);
 
 }  // namespace farrier::report

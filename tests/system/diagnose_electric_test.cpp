@@ -58,6 +58,12 @@ TEST_F(ElectricLegWithSofterSprings, AreNamedWithTheirStiffness) {
   EXPECT_NEAR(json["effects"][0]["value"].get<double>(), 6e3, 200.0);
   EXPECT_EQ(json["channels"][0]["name"], "drive");
   EXPECT_TRUE(fs::exists(scratch_->file("out/index.html")));
+  EXPECT_EQ(json["extended_model"], scratch_->file("out/electric_leg_hfe_extended.yaml"));
+  EXPECT_LT(json["extended_model_held_out"]["nrmse_after"].get<double>(),
+            0.2 * json["extended_model_held_out"]["nrmse_before"].get<double>());
+
+  fs::rename(scratch_->file("out/electric_leg_hfe_extended.yaml"), scratch_->file("extended.yaml"));
+  EXPECT_EQ(found_by(scratch_->file("extended.yaml"), output)["verdict"], "none") << output;
 }
 
 TEST_F(ElectricLegWithSofterSprings, AreExplainedByTheirOwnFile) {

@@ -79,6 +79,13 @@ Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const 
   return result;
 }
 
+ErrorRatio error_ratio(const Recording& recording, const robot::Joint& given, const robot::Joint& extended,
+                       const FitOptions& options) {
+  const JointBench before(recording, given, options);
+  const JointBench after(recording, extended, options);
+  return before.bench().error_ratio(before.bench().base(), after.bench().base());
+}
+
 std::vector<plant::ActiveEffect> found_effects(const Diagnosis& diagnosis, const robot::Joint& joint) {
   const plant::Scales scales = robot::scales_of(joint);
   std::vector<plant::ActiveEffect> effects;

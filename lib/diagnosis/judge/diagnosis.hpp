@@ -33,6 +33,11 @@ struct DiagnosisOptions {
 /// Diagnoses a recording that read_recording and check_recording found nothing wrong with.
 Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const DiagnosisOptions& options = {});
 
+/// Held-out errors of a recording's joint as it was given and of the `extended` one, constants fitted within their band.
+/// Both have the same sensors.
+ErrorRatio error_ratio(const Recording& recording, const robot::Joint& given, const robot::Joint& extended,
+                       const FitOptions& options = {});
+
 /// Effects found, as the joint's section `effects` of a robot file has them.
 std::vector<plant::ActiveEffect> found_effects(const Diagnosis& diagnosis, const robot::Joint& joint);
 

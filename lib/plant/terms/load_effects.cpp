@@ -8,13 +8,13 @@ double shifted(double stance, double was, double now) noexcept { return stance =
 
 }  // namespace
 
-Loads loads_with_effects(const Loads& nominal, const ActuatorParams& actuator, std::span<const ActiveEffect> effects) {
+Loads loads_with_effects(const Loads& nominal, const Scales& scales, std::span<const ActiveEffect> effects) {
   const LoadParams& was = nominal.swing;
   TermSet<double> terms;
   bool changed = false;
   for (const ActiveEffect& effect : effects) {
     if (is_in_load(effect.id)) {
-      add_to(terms, effect, Scales(actuator, was), 0.0);
+      add_to(terms, effect, scales, 0.0);
       changed = true;
     }
   }

@@ -19,6 +19,11 @@ constexpr bool is_in_load(EffectId id) noexcept {
 
 /// The loads of a joint that has these effects. The swing load gets their values; the stance load changes by the same
 /// differences of mass, damping and force of the spring, which may leave it with numbers that validate() refuses.
-Loads loads_with_effects(const Loads& nominal, const ActuatorParams& actuator, std::span<const ActiveEffect> effects);
+/// `scales` are those of the joint with its nominal swing load.
+Loads loads_with_effects(const Loads& nominal, const Scales& scales, std::span<const ActiveEffect> effects);
+inline Loads loads_with_effects(const Loads& nominal, const ActuatorParams& actuator,
+                                std::span<const ActiveEffect> effects) {
+  return loads_with_effects(nominal, Scales(actuator, nominal.swing), effects);
+}
 
 }  // namespace farrier::plant

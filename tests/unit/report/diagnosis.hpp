@@ -16,11 +16,13 @@ inline plant::EffectId id_of(const char* name) {
   return id;
 }
 
-inline robot::Robot rig() {
-  auto robot = robot::load_robot(std::string(FARRIER_ROBOTS) + "/fc1d.yaml");
+inline robot::Robot shipped(const std::string& name) {
+  auto robot = robot::load_robot(std::string(FARRIER_ROBOTS) + "/" + name + ".yaml");
   FARRIER_ENSURE(robot.ok(), config::to_string(robot.error()).c_str());
   return std::move(robot).value();
 }
+
+inline robot::Robot rig() { return shipped("fc1d"); }
 
 /// Bins of a driver from -1 to 1 in which the residual follows a curve.
 template <class F>

@@ -28,12 +28,15 @@ std::string text_of(const std::string& path) {
 class DiagnosisReport : public testing::OwnFolder {
  protected:
   DiagnosisResult result(const Diagnosis& d) const {
-    DiagnosisResult made{.diagnosis = d,
-                         .robot = robot_,
-                         .joint = robot_.joints[0],
-                         .recording = "run.csv",
-                         .period_s = 0.001,
-                         .extended_model = d.judgement.effects.empty() ? "" : "out/model.yaml"};
+    DiagnosisResult made{
+        .diagnosis = d,
+        .robot = robot_,
+        .joint = robot_.joints[0],
+        .recording = "run.csv",
+        .period_s = 0.001,
+        .model = d.judgement.effects.empty()
+                     ? ModelOfDiagnosis{}
+                     : ModelOfDiagnosis{"out/model.yaml", {}, diagnosis::ErrorRatio{0.4, 0.2, 1.5, 2.5}}};
     if (d.judgement.verdict == Verdict::kBadData) {
       made.findings = {{.what = "gap", .row = 17, .text = "run.csv lacks samples"},
                        {.what = "too_short", .row = 0, .text = "give a second at least"}};
@@ -91,6 +94,7 @@ TEST_F(DiagnosisReport, JsonHasTheCommonFormAndTheVerdictInItsPlace) {
   EXPECT_EQ(j["held_out"],
             nlohmann::json::parse(R"({"nrmse_before": 0.4, "nrmse_after": 0.1, "low": 3.5, "high": 4.5})"));
   EXPECT_EQ(j["extended_model"], "out/model.yaml");
+  EXPECT_EQ(j["extended_model_held_out"]["nrmse_after"], 0.2);
   EXPECT_EQ(j["not_judged"], nlohmann::json::parse(R"(["valve_bias"])"));
   EXPECT_TRUE(j["experiment"].is_null());
   EXPECT_TRUE(j["control"].is_null());
