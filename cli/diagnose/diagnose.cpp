@@ -51,7 +51,7 @@ Result<const robot::Joint*> joint_of(const robot::Robot& robot, const std::strin
 /// Reason why a recording cannot be judged.
 struct Refusal {
   diagnosis::RecordingProblems problems;
-  std::vector<diagnosis::WiringAnswer> wiring = {};  ///< empty: the data are bad
+  WiringOfRecording wiring = {};  ///< without answers: the data are bad
 };
 
 /// A recording, or what is wrong with it: its wiring before its data.
@@ -64,8 +64,8 @@ Result<Recording, Refusal> read(const DiagnoseOptions& o, const robot::Robot& ro
     return Refusal{std::move(recording).error()};
   }
   recording = diagnosis::with_current(std::move(recording).value(), joint);
-  if (auto wiring = wiring_of(o, robot, joint, recording.value()); !wiring.empty()) {
-    auto findings = diagnosis::wiring_findings(wiring, recording.value(), joint);
+  if (auto wiring = wiring_of(o, robot, joint, recording.value()); !wiring.answers.empty()) {
+    auto findings = diagnosis::wiring_findings(wiring.answers, recording.value(), joint);
     return Refusal{{std::move(findings), recording.value().remarks}, std::move(wiring)};
   }
   if (auto findings = diagnosis::check_recording(recording.value(), joint); !findings.empty()) {
@@ -224,14 +224,16 @@ int diagnose(const DiagnoseOptions& o) {
   if (!recording) {
     Diagnosis none{};
     const Refusal& refusal = recording.error();
-    none.judgement.verdict = refusal.wiring.empty() ? diagnosis::Verdict::kBadData : diagnosis::Verdict::kWiring;
+    none.judgement.verdict =
+        refusal.wiring.answers.empty() ? diagnosis::Verdict::kBadData : diagnosis::Verdict::kWiring;
     none.remarks = refusal.problems.remarks;
     return finish({.diagnosis = none,
                    .robot = robot,
                    .joint = *joint.value(),
                    .recording = o.recording,
                    .findings = refusal.problems.findings,
-                   .wiring = refusal.wiring},
+                   .wiring = refusal.wiring.answers,
+                   .evidence = refusal.wiring.evidence},
                   outputs, o);
   }
   if (o.what_can_be_told) {

@@ -45,13 +45,17 @@ std::vector<diagnosis::OtherJoint> others_of(const DiagnoseOptions& o, const rob
 
 }  // namespace
 
-std::vector<diagnosis::WiringAnswer> wiring_of(const DiagnoseOptions& options, const robot::Robot& robot,
-                                               const robot::Joint& joint, const diagnosis::Recording& recording) {
+WiringOfRecording wiring_of(const DiagnoseOptions& options, const robot::Robot& robot, const robot::Joint& joint,
+                            const diagnosis::Recording& recording) {
   std::vector<diagnosis::OtherJoint> others;
   if (robot.joints.size() > 1 && diagnosis::may_be_of_another_joint(recording, joint)) {
     others = others_of(options, robot, joint);
   }
-  return diagnosis::find_wiring(recording, joint, others);
+  WiringOfRecording wiring{diagnosis::find_wiring(recording, joint, others), {}};
+  if (!wiring.answers.empty()) {
+    wiring.evidence = diagnosis::wiring_evidence(recording, joint, wiring.answers.front().fault, others);
+  }
+  return wiring;
 }
 
 }  // namespace farrier::cli

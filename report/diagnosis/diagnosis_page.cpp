@@ -4,6 +4,7 @@
 #include "report/diagnosis/diagnosis_pictures.hpp"
 #include "report/diagnosis/diagnosis_summary.hpp"
 #include "report/diagnosis/diagnosis_text.hpp"
+#include "report/diagnosis/wiring_picture.hpp"
 #include "report/page/html_page.hpp"
 #include "report/page/html_tables.hpp"
 #include "report/figures/text_format.hpp"
@@ -80,6 +81,13 @@ std::string evidence_html(const Diagnosis& d, const DiagnosisPictures& pictures,
   return html;
 }
 
+std::string wiring_evidence_html(const DiagnosisResult& result, const std::string& picture) {
+  return "<h2>The evidence</h2>\n" +
+         (picture.empty() ? paragraph("No picture: the level of " + result.wiring.front().columns +
+                                      " shows this fault, and no law over time does.")
+                          : captioned_image_html(picture, wiring_caption(*result.evidence, result.joint)));
+}
+
 std::string details_html(const DiagnosisResult& result, const DiagnosisPictures& pictures) {
   std::vector<ShownEffect> effects;
   for (const diagnosis::NamedEffect& effect : result.diagnosis.judgement.effects) {
@@ -107,6 +115,9 @@ Result<std::string> write_diagnosis_page(const std::string& out_dir, const Diagn
                      summary_html(result);
   if (!result.diagnosis.channels.empty()) {
     html += evidence_html(result.diagnosis, pictures, result.joint.rotary) + details_html(result, pictures);
+  }
+  if (!result.wiring.empty()) {
+    html += wiring_evidence_html(result, pictures.wiring);
   }
   html += page_foot(outcome);
   return write_page(out_dir, html);

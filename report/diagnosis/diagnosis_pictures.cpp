@@ -7,6 +7,7 @@
 #include "config/visitor.hpp"
 #include "report/diagnosis/diagnosis_text.hpp"
 #include "report/diagnosis/round_pictures.hpp"
+#include "report/diagnosis/wiring_picture.hpp"
 
 namespace farrier::report {
 namespace {
@@ -132,6 +133,9 @@ Result<DiagnosisPictures> draw_diagnosis(const std::string& out_dir, const Diagn
     pictures.channels.push_back({.time = add_time_picture(drawing, channel, unit, result.period_s),
                                  .dependence = add_dependence_picture(drawing, channel, unit),
                                  .spectrum = add_spectrum_picture(drawing, channel, unit)});
+  }
+  if (result.evidence) {
+    pictures.wiring = add_wiring_picture(drawing, *result.evidence, result.joint);
   }
   pictures.rounds = add_round_pictures(drawing, result.diagnosis.judgement);
   FARRIER_TRY(drawing.draw());

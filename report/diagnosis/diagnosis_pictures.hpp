@@ -25,6 +25,7 @@ struct ChannelPictures {
 
 struct DiagnosisPictures {
   std::vector<ChannelPictures> channels;  ///< as in the diagnosis
+  std::string wiring;                     ///< both sides of the law that shows a fault of wiring
   std::vector<std::string> rounds;        ///< candidates' gains with their intervals, one per round that has any
 };
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "diagnosis/judge/diagnosis.hpp"
-#include "diagnosis/wiring/wiring.hpp"
+#include "diagnosis/wiring/wiring_evidence.hpp"
 #include "robot/robot.hpp"
 #include "report/figures/figures.hpp"
 
@@ -30,10 +30,11 @@ struct DiagnosisResult {
   const diagnosis::Diagnosis& diagnosis;
   const robot::Robot& robot;
   const robot::Joint& joint;
-  std::string recording;                             ///< the file's path, for people
-  double period_s = 0.0;                             ///< of the recording; 0 for data that could not be read
-  std::vector<diagnosis::Finding> findings = {};     ///< what is wrong with bad data, or with the wiring
-  std::vector<diagnosis::WiringAnswer> wiring = {};  ///< of the verdict `wiring`, in the order of `findings`
+  std::string recording;                                   ///< the file's path, for people
+  double period_s = 0.0;                                   ///< of the recording; 0 for data that could not be read
+  std::vector<diagnosis::Finding> findings = {};           ///< what is wrong with bad data, or with the wiring
+  std::vector<diagnosis::WiringAnswer> wiring = {};        ///< of the verdict `wiring`, in the order of `findings`
+  std::optional<diagnosis::WiringEvidence> evidence = {};  ///< for the first of them
   ModelOfDiagnosis model = {};
   std::optional<ControlGain> control = {};
 };

@@ -1,4 +1,4 @@
-#include "report/diagnosis/extended_electric.hpp"
+#include "report/diagnosis/extended_model.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -4,8 +4,6 @@
 #include <string_view>
 #include <utility>
 
-#include "report/diagnosis/extended_electric.hpp"
-
 namespace farrier::report {
 namespace {
 

@@ -22,6 +22,8 @@ farrier_test(blind_trials_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/blind_trial
 target_link_libraries(blind_trials_test PRIVATE farrier_blind)
 target_compile_definitions(blind_trials_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 
-farrier_test(experiment_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/experiment_test.cpp)
+farrier_test(experiment_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/trials/experiment_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/trials/wiring_evidence_test.cpp)
 target_link_libraries(experiment_test PRIVATE farrier_diagnosis farrier_truth)
 target_compile_definitions(experiment_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")

@@ -26,6 +26,9 @@ BoxRegression::Result BoxRegression::solve(const std::array<Bounds, kMost>& boun
   const double n = static_cast<double>(std::max<std::size_t>(points_, 1));
   const double variance = yy_ / n - y_ / n * (y_ / n);
   if (points_ == 0 || !(variance > 1e-12 * yy_ / n)) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      result.coefficients[i] = std::clamp(0.0, bounds[i].low, bounds[i].high);
+    }
     return result;
   }
   const double rms = std::sqrt(variance);

@@ -48,9 +48,7 @@ class Search {
       scale(kVelocity, kDegrees);
     }
     if (pressures) {
-      WiringHypothesis exchanged;
-      exchanged.pressures_exchanged = true;
-      add({.kind = WiringKind::kExchanged, .channel = kPressureA, .other = kPressureB}, exchanged);
+      add({.kind = WiringKind::kExchanged, .channel = kPressureA, .other = kPressureB});
       for (const double factor : kPressureFactors) {
         scale(kPressureA, factor);
         scale(kPressureB, factor);
@@ -64,63 +62,44 @@ class Search {
   }
 
  private:
-  JudgedFault judged(const WiringFault& fault, const WiringHypothesis& hypothesis) const {
-    const Unexplained left = judge_.judge(hypothesis);
-    return {fault, left, log_gain(judge_.without_fault(), left)};
-  }
-  void add(const WiringFault& fault, const WiringHypothesis& hypothesis) {
-    faults_.push_back(judged(fault, hypothesis));
+  /// Adds a fault that has a wiring_hypothesis().
+  void add(const WiringFault& fault) {
+    const Unexplained left = judge_.judge(*wiring_hypothesis(fault));
+    faults_.push_back({fault, left, log_gain(judge_.without_fault(), left)});
   }
 
   void reverse(WiredChannel channel) {
-    WiringHypothesis hypothesis;
-    hypothesis.of(channel).factor = -1.0;
     add({.kind = channel == WiredChannel::kPosition ? WiringKind::kMirrored : WiringKind::kReversed,
-         .channel = channel},
-        hypothesis);
+         .channel = channel});
   }
 
   void scale(WiredChannel channel, double factor, bool both = false) {
-    if (factor == 1.0) {
-      return;
+    if (factor != 1.0) {
+      add({.kind = WiringKind::kScaled, .channel = channel, .amount = factor, .both_pressures = both});
     }
-    WiringHypothesis hypothesis;
-    hypothesis.of(channel).factor = factor;
-    if (both) {
-      hypothesis.of(WiredChannel::kPressureB).factor = factor;
-    }
-    add({.kind = WiringKind::kScaled, .channel = channel, .amount = factor, .both_pressures = both}, hypothesis);
   }
 
   /// Adds the best lag of either sign.
   void lag(const std::vector<WiredChannel>& channels) {
     for (const int sign : {1, -1}) {
       const bool delayed = sign < 0 && channels.front() == WiredChannel::kCurrent;
-      int best = 0;
+      WiringFault best;
       double least = std::numeric_limits<double>::infinity();
       for (int samples = delayed ? judge_.longest_delay() + 1 : 1; samples <= judge_.most_late(); ++samples) {
-        const double misfit = judge_.misfit_of_lag(channels.front(), lagging(channels, sign * samples));
+        const WiringFault fault{.kind = sign > 0 ? WiringKind::kLate : WiringKind::kEarly,
+                                .channel = channels.front(),
+                                .amount = static_cast<double>(samples),
+                                .both_pressures = channels.size() > 1};
+        const double misfit = judge_.misfit_of_lag(channels.front(), *wiring_hypothesis(fault));
         if (misfit < least) {
           least = misfit;
-          best = samples;
+          best = fault;
         }
       }
-      if (best > 0) {
-        add({.kind = sign > 0 ? WiringKind::kLate : WiringKind::kEarly,
-             .channel = channels.front(),
-             .amount = static_cast<double>(best),
-             .both_pressures = channels.size() > 1},
-            lagging(channels, sign * best));
+      if (std::isfinite(least)) {
+        add(best);
       }
     }
-  }
-
-  static WiringHypothesis lagging(const std::vector<WiredChannel>& channels, int late) {
-    WiringHypothesis hypothesis;
-    for (const WiredChannel channel : channels) {
-      hypothesis.of(channel).late = late;
-    }
-    return hypothesis;
   }
 
   void exchange(const std::vector<WiredChannel>& channels) {
@@ -143,6 +122,39 @@ class Search {
 };
 
 }  // namespace
+
+std::optional<WiringHypothesis> wiring_hypothesis(const WiringFault& fault) noexcept {
+  WiringHypothesis hypothesis;
+  ChannelChange& change = hypothesis.of(fault.channel);
+  switch (fault.kind) {
+    case WiringKind::kReversed:
+    case WiringKind::kMirrored:
+      change.factor = -1.0;
+      break;
+    case WiringKind::kScaled:
+      change.factor = fault.amount;
+      break;
+    case WiringKind::kLate:
+      change.late = static_cast<int>(fault.amount);
+      break;
+    case WiringKind::kEarly:
+      change.late = -static_cast<int>(fault.amount);
+      break;
+    case WiringKind::kExchanged:
+      if (fault.channel != WiredChannel::kPressureA || fault.other != WiredChannel::kPressureB) {
+        return std::nullopt;
+      }
+      hypothesis.pressures_exchanged = true;
+      break;
+    case WiringKind::kDead:
+    case WiringKind::kOtherJoint:
+      return std::nullopt;
+  }
+  if (fault.both_pressures) {
+    hypothesis.of(WiredChannel::kPressureB) = change;
+  }
+  return hypothesis;
+}
 
 std::vector<double>& column(Recording& recording, WiredChannel channel) noexcept {
   switch (channel) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,10 @@ struct JudgedFault {
   Unexplained unexplained{};
   double gain = 0.0;  ///< sum over the laws of the logarithm of unexplained without the fault over with it undone
 };
+
+/// The changes that a fault is; none for one that only other columns than the recorded ones undo: a dead channel, one of
+/// another joint, or two exchanged ones but for pressures.
+std::optional<WiringHypothesis> wiring_hypothesis(const WiringFault& fault) noexcept;
 
 /// Values of a channel; empty if it was not recorded.
 std::vector<double>& column(Recording& recording, WiredChannel channel) noexcept;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "diagnosis/wiring/wiring_motion.hpp"
@@ -28,6 +29,11 @@ std::vector<double> lagged(std::vector<double> values, double samples) {
   return values;
 }
 
+/// Adds points of a law to a regression.
+auto into(BoxRegression& regression) {
+  return [&regression](std::size_t, double y, const BoxRegression::Values& r) { regression.add(y, r); };
+}
+
 void add_delayed(std::vector<BoxRegression>& by_delay, const std::vector<int>& delays,
                  const std::vector<double>& current, const ChannelChange& change, std::size_t i,
                  const BoxRegression::Values& r) {
@@ -37,13 +43,16 @@ void add_delayed(std::vector<BoxRegression>& by_delay, const std::vector<int>& d
   }
 }
 
-double least_unexplained(const std::vector<BoxRegression>& by_delay,
-                         const std::array<BoxRegression::Bounds, BoxRegression::kMost>& bounds) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const BoxRegression& regression : by_delay) {
-    least = std::min(least, regression.solve(bounds).unexplained);
+LawFit best_fit(const std::vector<BoxRegression>& by_delay, const std::vector<int>& delays,
+                const std::array<BoxRegression::Bounds, BoxRegression::kMost>& bounds) {
+  LawFit best{{.unexplained = std::numeric_limits<double>::infinity()}};
+  for (std::size_t j = 0; j < delays.size(); ++j) {
+    const BoxRegression::Result result = by_delay[j].solve(bounds);
+    if (result.unexplained < best.regression.unexplained) {
+      best = {result, delays[j]};
+    }
   }
-  return least;
+  return best;
 }
 
 /// Dry friction of unit size; smooth below the speed `calm`.
@@ -51,21 +60,26 @@ double friction_of(double speed, double calm) { return calm > 0.0 ? std::tanh(sp
 
 }  // namespace
 
-BoxRegression::Result WiringJudge::kinematics(const WiringHypothesis& h, double longest_lag_s) const {
-  BoxRegression regression(2);
+template <class Add>
+void WiringJudge::kinematics_points(const WiringHypothesis& h, std::size_t stride, Add&& add) const {
   const ChannelChange& v = h.of(WiredChannel::kVelocity);
   const Motion motion = by_position(h);
   const std::ptrdiff_t late = v.late;
-  each([&](std::size_t i) {
+  each(stride, [&](std::size_t i) {
     const double now = signals_.velocity[0][i + late] / v.factor;
-    regression.add(now, {motion.speed(i), -signals_.velocity[1][i + late] / v.factor});
+    add(i, now, {motion.speed(i), -signals_.velocity[1][i + late] / v.factor});
   });
+}
+
+BoxRegression::Result WiringJudge::kinematics(const WiringHypothesis& h, double longest_lag_s) const {
+  BoxRegression regression(2);
+  kinematics_points(h, stride_, into(regression));
   return regression.solve({{{0.8, 1.25}, {0.0, longest_lag_s}}});
 }
 
-BoxRegression::Result WiringJudge::load(const WiringHypothesis& h, const Motion& motion, double longest_lag_s,
-                                        double motion_lag_s) const {
-  BoxRegression regression(5);
+template <class Add>
+void WiringJudge::load_points(const WiringHypothesis& h, const Motion& motion, double motion_lag_s, std::size_t stride,
+                              Add&& add) const {
   const ChannelChange& f = h.of(WiredChannel::kForce);
   const bool quick = motion.x == &signals_.travel;
   // The lag of the motion's sensor, put on the force too: undone, it would raise the noise of the motion.
@@ -76,13 +90,21 @@ BoxRegression::Result WiringJudge::load(const WiringHypothesis& h, const Motion&
                                                           : signals_.quick_force;
   const auto late = static_cast<std::size_t>(f.late);
   const double calm = kCalmShare * std::abs(motion.factor) * standard(*motion.v);
-  each([&](std::size_t i) {
+  each(stride, [&](std::size_t i) {
     if (signals_.load_known[i] != 0) {
       const double v = motion.speed(i);
-      regression.add(force[i + late] / f.factor, {motion.acceleration(i), v, motion.position(i), friction_of(v, calm),
-                                                  -signals_.force[1][i + late] / f.factor});
+      add(i, force[i + late] / f.factor,
+          {motion.acceleration(i), v, motion.position(i), friction_of(v, calm),
+           -signals_.force[1][i + late] / f.factor});
     }
   });
+}
+
+BoxRegression::Result WiringJudge::load(const WiringHypothesis& h, const Motion& motion, double longest_lag_s,
+                                        double motion_lag_s) const {
+  BoxRegression regression(5);
+  load_points(h, motion, motion_lag_s, stride_, into(regression));
+  const ChannelChange& f = h.of(WiredChannel::kForce);
   const double force_rms = force_rms_ / std::abs(f.factor);
   const double scale = std::abs(motion.factor);
   const double dry = kDryShare * force_rms;
@@ -98,8 +120,8 @@ BoxRegression::Result WiringJudge::load(const WiringHypothesis& h, const Motion&
         {0.0, longest_lag_s}}});
 }
 
-BoxRegression::Result WiringJudge::cell(const WiringHypothesis& h, double longest_lag_s) const {
-  BoxRegression regression(5);
+template <class Add>
+void WiringJudge::cell_points(const WiringHypothesis& h, std::size_t stride, Add&& add) const {
   const ChannelChange& f = h.of(WiredChannel::kForce);
   const ChannelChange& a = h.of(WiredChannel::kPressureA);
   const ChannelChange& b = h.of(WiredChannel::kPressureB);
@@ -107,16 +129,21 @@ BoxRegression::Result WiringJudge::cell(const WiringHypothesis& h, double longes
   const std::vector<double>& in_b = h.pressures_exchanged ? signals_.pressure_a : signals_.pressure_b;
   const Motion motion = by_position(h);
   const double calm = kCalmShare * std::abs(motion.factor) * speed_rms_;
-  each([&](std::size_t i) {
+  each(stride, [&](std::size_t i) {
     const std::size_t k = i + static_cast<std::size_t>(f.late);
     const double pressure_b_Pa = in_b[i + static_cast<std::size_t>(b.late)] / b.factor;
     const double oil =
         plant::hydraulic_force(actuator_, in_a[i + static_cast<std::size_t>(a.late)] / a.factor, pressure_b_Pa);
     const double v = motion.speed(i);
-    regression.add(
-        signals_.force[0][k] / f.factor + actuator_.piston_mass * motion.acceleration(i),
+    add(i, signals_.force[0][k] / f.factor + actuator_.piston_mass * motion.acceleration(i),
         {oil, -actuator_.area_b * pressure_b_Pa, -v, -friction_of(v, calm), -signals_.force[1][k] / f.factor});
   });
+}
+
+BoxRegression::Result WiringJudge::cell(const WiringHypothesis& h, double longest_lag_s) const {
+  BoxRegression regression(5);
+  cell_points(h, stride_, into(regression));
+  const ChannelChange& f = h.of(WiredChannel::kForce);
   const double dry_force = kDryShare * force_rms_ / std::abs(f.factor);
   const double dry = speed_rms_ > 0.0 ? dry_force / speed_rms_ : 0.0;
   return regression.solve({{{0.15, kMostFactor},
@@ -146,70 +173,125 @@ std::vector<int> WiringJudge::input_delays(const ChannelChange& current) const {
   return delays;
 }
 
-double WiringJudge::oil(const WiringHypothesis& h, const Motion& motion) const {
+const std::vector<double>& WiringJudge::current_of(const WiringHypothesis& h) const noexcept {
+  return signals_.current[electric_ ? 2 : h.of(WiredChannel::kForce).factor < 0.0 ? 1 : 0];
+}
+
+template <class Add>
+void WiringJudge::oil_points(const WiringHypothesis& h, const Motion& motion, std::size_t stride, Add&& add) const {
   const ChannelChange& f = h.of(WiredChannel::kForce);
-  const ChannelChange& u = h.of(WiredChannel::kCurrent);
   const auto volumes = plant::chamber_volumes(actuator_, 0.5 * actuator_.stroke);
   const double a = actuator_.area_a, b = actuator_.area_b, e = actuator_.bulk_modulus_Pa;
   const double held = e * (a * a / volumes.a_m3 + b * b / volumes.b_m3);
   const double driven =
       e * (a / volumes.a_m3 + b / volumes.b_m3) * actuator_.valve_gain * std::sqrt(0.5 * actuator_.supply_pressure_Pa);
   const double lag_s = force_lag(h);
-  const std::vector<int> delays = input_delays(u);
-  const std::vector<double>& current = signals_.current[f.factor < 0.0 ? 1 : 0];
   const double calm = kCalmShare * held * std::abs(motion.factor) * standard(*motion.v);
-  std::vector<BoxRegression> by_delay(delays.size(), BoxRegression(4));
-  each([&](std::size_t i) {
+  each(stride, [&](std::size_t i) {
     const std::size_t k = i + static_cast<std::size_t>(f.late);
     const double flow = held * motion.speed(i) + actuator_.piston_damping * motion.acceleration(i) +
                         actuator_.piston_mass * motion.jolt(i);
     const double rise = (signals_.force[1][k] + lag_s * signals_.force[2][k]) / f.factor;
-    const BoxRegression::Values r{flow / driven, rise / driven, signals_.force[0][k] / f.factor,
-                                  friction_of(flow, calm)};
-    add_delayed(by_delay, delays, current, u, i, r);
+    add(i, {flow / driven, rise / driven, signals_.force[0][k] / f.factor, friction_of(flow, calm)});
   });
-  const double most_leakage = 0.3 * actuator_.valve_current_max_A / (actuator_.supply_pressure_Pa * std::min(a, b));
-  return least_unexplained(
-      by_delay,
+}
+
+LawFit WiringJudge::oil(const WiringHypothesis& h, const Motion& motion) const {
+  const ChannelChange& u = h.of(WiredChannel::kCurrent);
+  const std::vector<int> delays = input_delays(u);
+  std::vector<BoxRegression> by_delay(delays.size(), BoxRegression(4));
+  oil_points(h, motion, stride_, [&](std::size_t i, const BoxRegression::Values& r) {
+    add_delayed(by_delay, delays, current_of(h), u, i, r);
+  });
+  const double most_leakage = 0.3 * actuator_.valve_current_max_A /
+                              (actuator_.supply_pressure_Pa * std::min(actuator_.area_a, actuator_.area_b));
+  return best_fit(
+      by_delay, delays,
       {{{0.3, 3.5}, {kLeastFactor, 8.0}, {0.0, most_leakage}, {0.0, 0.5 * current_rms_ / std::abs(u.factor)}}});
 }
 
-double WiringJudge::actuator_law(const WiringHypothesis& h, const Motion& motion) const {
+LawFit WiringJudge::actuator_law(const WiringHypothesis& h, const Motion& motion) const {
   return electric_ ? drive(h, motion) : oil(h, motion);
 }
 
-double WiringJudge::drive(const WiringHypothesis& h, const Motion& motion) const {
+template <class Add>
+void WiringJudge::drive_points(const WiringHypothesis& h, const Motion& motion, std::size_t stride, Add&& add) const {
   const ChannelChange& f = h.of(WiredChannel::kForce);
+  const double constant = electric_->gear_ratio * electric_->torque_constant_Nm_A;
+  const double calm = kCalmShare * std::abs(motion.factor) * standard(*motion.v);
+  each(stride, [&](std::size_t i) {
+    const std::size_t k = i + static_cast<std::size_t>(f.late);
+    const double v = motion.speed(i);
+    const double scale = 1.0 / (f.factor * constant);
+    add(i, {signals_.force[0][k] * scale, v / constant, motion.acceleration(i) / constant, signals_.force[1][k] * scale,
+            signals_.force[2][k] * scale, friction_of(v, calm)});
+  });
+}
+
+LawFit WiringJudge::drive(const WiringHypothesis& h, const Motion& motion) const {
   const ChannelChange& u = h.of(WiredChannel::kCurrent);
   const plant::ElectricParams& e = *electric_;
   const double constant = e.gear_ratio * e.torque_constant_Nm_A;
   const std::vector<int> delays = input_delays(u);
-  const double calm = kCalmShare * std::abs(motion.factor) * standard(*motion.v);
   std::vector<BoxRegression> by_delay(delays.size(), BoxRegression(6));
-  each([&](std::size_t i) {
-    const std::size_t k = i + static_cast<std::size_t>(f.late);
-    const double v = motion.speed(i);
-    const double scale = 1.0 / (f.factor * constant);
-    const BoxRegression::Values r{signals_.force[0][k] * scale,      v / constant,
-                                  motion.acceleration(i) / constant, signals_.force[1][k] * scale,
-                                  signals_.force[2][k] * scale,      friction_of(v, calm)};
-    add_delayed(by_delay, delays, signals_.current[2], u, i, r);
+  drive_points(h, motion, stride_, [&](std::size_t i, const BoxRegression::Values& r) {
+    add_delayed(by_delay, delays, current_of(h), u, i, r);
   });
   constexpr BoxRegression::Bounds kAny{0.3, 3.5}, kNo{0.0, 0.0};
   const auto about = [](double value, double more = 0.0) {
     return BoxRegression::Bounds{kLeastFactor * value, kMostFactor * value + more};
   };
   if (e.rigid) {
-    return least_unexplained(by_delay, {{kAny, kNo, kNo, about(e.torque_time_constant_s, kLongestLag_s), kNo, kNo}});
+    return best_fit(by_delay, delays, {{kAny, kNo, kNo, about(e.torque_time_constant_s, kLongestLag_s), kNo, kNo}});
   }
   const double k = e.spring_stiffness, rotor = plant::armature_kg_m2(e), damping = plant::rotor_damping(e);
   const double dry = 0.5 * current_rms_ / std::abs(u.factor) + kMostFactor * e.coulomb / constant;
-  return least_unexplained(by_delay, {{kAny,
-                                       about(damping),
-                                       about(rotor),
-                                       about(damping / k, kLongestLag_s),
-                                       about(rotor / k, kLongestLag_s * damping / k),
-                                       {0.0, dry}}});
+  return best_fit(by_delay, delays,
+                  {{kAny,
+                    about(damping),
+                    about(rotor),
+                    about(damping / k, kLongestLag_s),
+                    about(rotor / k, kLongestLag_s * damping / k),
+                    {0.0, dry}}});
+}
+
+LawLine WiringJudge::line(WiringLaw of, const WiringHypothesis& h, const LawFit& fit) const {
+  LawLine line;
+  double apart = 0.0;
+  const auto add = [&](std::size_t i, double y, const BoxRegression::Values& r) {
+    line.at.push_back(i);
+    line.left.push_back(y);
+    line.right.push_back(std::inner_product(r.begin(), r.end(), fit.regression.coefficients.begin(), 0.0));
+    apart += y - line.right.back();
+  };
+  const ChannelChange& u = h.of(WiredChannel::kCurrent);
+  const auto add_current = [&](std::size_t i, const BoxRegression::Values& r) {
+    add(i, current_of(h)[i + static_cast<std::size_t>(u.late) - static_cast<std::size_t>(fit.delay)] / u.factor, r);
+  };
+  const Motion motion = motion_of(of, h);
+  switch (of) {
+    case WiringLaw::kKinematics:
+      kinematics_points(h, 1, add);
+      break;
+    case WiringLaw::kLoadByPosition:
+    case WiringLaw::kLoadByVelocity:
+      load_points(h, motion, of == WiringLaw::kLoadByVelocity ? velocity_lag_s(h) : 0.0, 1, add);
+      break;
+    case WiringLaw::kActuatorByPosition:
+    case WiringLaw::kActuatorByVelocity:
+      electric_ ? drive_points(h, motion, 1, add_current) : oil_points(h, motion, 1, add_current);
+      break;
+    case WiringLaw::kCell:
+      cell_points(h, 1, add);
+      break;
+    case WiringLaw::kLevels:
+      break;
+  }
+  // The laws hold about the mean.
+  for (double& right : line.right) {
+    right += apart / static_cast<double>(line.right.size());
+  }
+  return line;
 }
 
 }  // namespace farrier::diagnosis

@@ -31,7 +31,7 @@ WiringJudge::WiringJudge(const Recording& recording, const robot::Joint& joint)
   const std::size_t inner = signals_.size() > 2 * margin_ ? signals_.size() - 2 * margin_ : 0;
   stride_ = inner / kPoints + 1;
   std::size_t known = 0, all = 0;
-  each([&](std::size_t i) {
+  each(stride_, [&](std::size_t i) {
     ++all;
     known += signals_.load_known[i] != 0 ? 1 : 0;
   });
@@ -82,31 +82,45 @@ Unexplained WiringJudge::judge(const WiringHypothesis& h) const {
   return all;
 }
 
-double WiringJudge::law(WiringLaw of, const WiringHypothesis& h) const {
-  const bool measured_velocity = !signals_.velocity[0].empty();
-  const bool current = !signals_.current[0].empty();
+double WiringJudge::velocity_lag_s(const WiringHypothesis& h) const {
+  return kinematics(h, kLongestLag_s).coefficients[1];
+}
+
+WiringJudge::Motion WiringJudge::motion_of(WiringLaw law, const WiringHypothesis& h) const {
+  return law == WiringLaw::kLoadByVelocity       ? by_velocity(h, 0.0, true)
+         : law == WiringLaw::kActuatorByVelocity ? by_velocity(h, velocity_lag_s(h), false)
+                                                 : by_position(h);
+}
+
+LawFit WiringJudge::fit(WiringLaw of, const WiringHypothesis& h) const {
   switch (of) {
     case WiringLaw::kKinematics:
-      return measured_velocity ? kinematics(h, kLongestLag_s).unexplained : kNone;
+      return {kinematics(h, kLongestLag_s)};
     case WiringLaw::kLoadByPosition:
-      return load_ever_known_ ? load(h, by_position(h), kLongestLag_s).unexplained : kNone;
+      return {load(h, motion_of(of, h), kLongestLag_s)};
     case WiringLaw::kLoadByVelocity:
-      return measured_velocity && load_known_throughout_
-                 ? load(h, by_velocity(h, 0.0, true), kLongestLag_s, kinematics(h, kLongestLag_s).coefficients[1])
-                       .unexplained
-                 : kNone;
+      return {load(h, motion_of(of, h), kLongestLag_s, velocity_lag_s(h))};
     case WiringLaw::kActuatorByPosition:
-      return current ? actuator_law(h, by_position(h)) : kNone;
     case WiringLaw::kActuatorByVelocity:
-      return current && measured_velocity
-                 ? actuator_law(h, by_velocity(h, kinematics(h, kLongestLag_s).coefficients[1], false))
-                 : kNone;
+      return actuator_law(h, motion_of(of, h));
     case WiringLaw::kCell:
-      return signals_.pressure_a.empty() || signals_.pressure_b.empty() ? kNone : cell(h, kLongestLag_s).unexplained;
+      return {cell(h, kLongestLag_s)};
     case WiringLaw::kLevels:
-      return signals_.pressure_a.empty() || signals_.pressure_b.empty() ? kNone : levels(h);
+      break;
   }
-  return kNone;
+  return {};
+}
+
+double WiringJudge::law(WiringLaw of, const WiringHypothesis& h) const {
+  const bool velocity = !signals_.velocity[0].empty();
+  const bool current = !signals_.current[0].empty();
+  const bool pressures = !signals_.pressure_a.empty() && !signals_.pressure_b.empty();
+  const std::array<bool, kWiringLaws> recorded{velocity, load_ever_known_,    velocity && load_known_throughout_,
+                                               current,  current && velocity, pressures,
+                                               pressures};
+  return !recorded[static_cast<std::size_t>(of)] ? kNone
+         : of == WiringLaw::kLevels              ? levels(h)
+                                                 : fit(of, h).regression.unexplained;
 }
 
 double WiringJudge::misfit_of_lag(WiredChannel channel, const WiringHypothesis& h) const {
@@ -123,7 +137,7 @@ double WiringJudge::misfit_of_lag(WiredChannel channel, const WiringHypothesis& 
     unexplained.push_back(cell(h, 0.0).unexplained);
   }
   if (unexplained.empty() && !signals_.current[0].empty()) {
-    unexplained.push_back(actuator_law(h, by_position(h)));
+    unexplained.push_back(actuator_law(h, by_position(h)).regression.unexplained);
   }
   double sum = 0.0;
   for (const double one : unexplained) {

@@ -45,6 +45,18 @@ inline constexpr std::size_t kWiringLaws = 7;
 /// docs/effects.md can make of them. Not a number for a law whose channels were not recorded.
 using Unexplained = std::array<double, kWiringLaws>;
 
+/// Numbers with which a law fits a recording best.
+struct LawFit {
+  BoxRegression::Result regression;
+  int delay = 0;  ///< of the input, samples; of the laws of the actuator alone
+};
+
+/// A law by sample as recorded: the channel on its left side, and what its right side says that it should be.
+struct LawLine {
+  std::vector<std::size_t> at;
+  std::vector<double> left, right;
+};
+
 /// Judges hypotheses by the laws.
 class WiringJudge {
  public:
@@ -55,6 +67,11 @@ class WiringJudge {
   /// Laws of the channels that the hypothesis changes; the others are as without a fault.
   Unexplained judge(const WiringHypothesis& hypothesis) const;
   const Unexplained& without_fault() const noexcept { return none_; }
+
+  /// Fit of a law under a hypothesis, and the law's two sides under one with the numbers of a fit. The law's channels were
+  /// recorded. Of kLevels there is neither.
+  LawFit fit(WiringLaw law, const WiringHypothesis& hypothesis) const;
+  LawLine line(WiringLaw law, const WiringHypothesis& hypothesis, const LawFit& fit) const;
 
   /// Sum of the logarithms of unexplained over the laws that show best by how many samples `channel` lags. Sensors have no
   /// lag of their own in it, so that a lag of samples is not taken for one of a filter. kPressureA: of both pressures.
@@ -78,10 +95,10 @@ class WiringJudge {
   BoxRegression::Result load(const WiringHypothesis& h, const Motion& motion, double longest_lag_s,
                              double motion_lag_s = 0.0) const;
   BoxRegression::Result cell(const WiringHypothesis& h, double longest_lag_s) const;
-  /// Unexplained of the current by motion and force: oil or drive.
-  double actuator_law(const WiringHypothesis& h, const Motion& motion) const;
-  double oil(const WiringHypothesis& h, const Motion& motion) const;
-  double drive(const WiringHypothesis& h, const Motion& motion) const;
+  /// The current by motion and force: oil or drive.
+  LawFit actuator_law(const WiringHypothesis& h, const Motion& motion) const;
+  LawFit oil(const WiringHypothesis& h, const Motion& motion) const;
+  LawFit drive(const WiringHypothesis& h, const Motion& motion) const;
   /// Delays of the input that are tried, samples: the current of an earlier sample acts now.
   std::vector<int> input_delays(const ChannelChange& current) const;
   double levels(const WiringHypothesis& h) const;
@@ -89,9 +106,28 @@ class WiringJudge {
   Motion by_velocity(const WiringHypothesis& h, double lag_s, bool quick) const;
   double force_lag(const WiringHypothesis& h) const;
 
+  // Points of the laws at every `stride`-th sample, add(i, y, r): y is the left side, r the regressors of the right one.
+  // Those of the actuator have the left side without a delay.
   template <class Add>
-  void each(Add&& add) const {
-    for (std::size_t i = margin_; i + margin_ < signals_.size(); i += stride_) {
+  void kinematics_points(const WiringHypothesis& h, std::size_t stride, Add&& add) const;
+  template <class Add>
+  void load_points(const WiringHypothesis& h, const Motion& motion, double motion_lag_s, std::size_t stride,
+                   Add&& add) const;
+  template <class Add>
+  void cell_points(const WiringHypothesis& h, std::size_t stride, Add&& add) const;
+  template <class Add>
+  void oil_points(const WiringHypothesis& h, const Motion& motion, std::size_t stride, Add&& add) const;
+  template <class Add>
+  void drive_points(const WiringHypothesis& h, const Motion& motion, std::size_t stride, Add&& add) const;
+  /// Motion of the law, from the position or from the velocity.
+  Motion motion_of(WiringLaw law, const WiringHypothesis& h) const;
+  /// Lag of the velocity's sensor.
+  double velocity_lag_s(const WiringHypothesis& h) const;
+  const std::vector<double>& current_of(const WiringHypothesis& h) const noexcept;
+
+  template <class Add>
+  void each(std::size_t stride, Add&& add) const {
+    for (std::size_t i = margin_; i + margin_ < signals_.size(); i += stride) {
       add(i);
     }
   }
