@@ -15,9 +15,10 @@ struct ExtendedModel {
   std::vector<std::string> left_out;  ///< effects without a place in it, or why the file does not load, a sentence each
 };
 
-/// The robot file, defaults filled in, with these effects of a joint: in its section `effects`, where one that the joint
-/// has already gets the new numbers, or in the values of an electric joint's drive and load
-/// (put_into_drive_and_load()). Refuses with the reader's problems effects of a hydraulic joint that do not load again.
+/// The robot file, defaults filled in, with these effects of a joint. Those of a hydraulic one are in its section
+/// `effects`, where one that the joint has already gets the new numbers. Those of an electric one are in the values of its
+/// drive and load (put_into_drive_and_load()). Refuses with the reader's problems effects of a hydraulic joint that do not
+/// load again.
 Result<ExtendedModel> extended_model(const robot::Robot& robot, const robot::Joint& joint,
                                      std::span<const plant::ActiveEffect> found);
 

@@ -11,6 +11,7 @@ farrier_test(diagnosis_test unit
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/scaled_recording_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/scaled_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/selection_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/telling_experiment_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/trace_recording_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/what_can_be_told_test.cpp)
 target_link_libraries(diagnosis_test PRIVATE farrier_diagnosis)

@@ -2,6 +2,7 @@ farrier_test(report_test unit
   ${CMAKE_CURRENT_LIST_DIR}/report/adaptation_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/controllers_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/diagnosis_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/report/diagnosis_wiring_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/diagnosis_words_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/extended_model_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/figures_test.cpp

@@ -22,7 +22,7 @@ class BoxRegression {
 
   struct Result {
     double unexplained = 1.0;  ///< residual over y, mean squares about the mean; 1 for a constant y
-    Values coefficients{};  ///< nearest to 0 for a constant y
+    Values coefficients{};     ///< nearest to 0 for a constant y
   };
   /// By coordinate descent (Hildreth 1957) from the middle of the bounds; unexplained may exceed 1.
   Result solve(const std::array<Bounds, kMost>& bounds) const noexcept;

@@ -69,7 +69,7 @@ class WiringJudge {
   const Unexplained& without_fault() const noexcept { return none_; }
 
   /// Fit of a law under a hypothesis, and the law's two sides under one with the numbers of a fit. The law's channels were
-  /// recorded. Of kLevels there is neither.
+  /// recorded. kLevels has neither.
   LawFit fit(WiringLaw law, const WiringHypothesis& hypothesis) const;
   LawLine line(WiringLaw law, const WiringHypothesis& hypothesis, const LawFit& fit) const;
 

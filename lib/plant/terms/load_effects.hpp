@@ -17,8 +17,8 @@ constexpr bool is_in_load(EffectId id) noexcept {
   return effect_info(id).side == Side::kLoad && effect_info(id).nominal;
 }
 
-/// The loads of a joint that has these effects. The swing load gets their values; the stance load changes by the same
-/// differences of mass, damping and force of the spring, which may leave it with numbers that validate() refuses.
+/// The loads of a joint that has these effects. The swing load gets their values. The stance load changes by the same
+/// differences of mass, damping and force of the spring, which may leave it with numbers that validate() refuses. The
 /// `scales` are those of the joint with its nominal swing load.
 Loads loads_with_effects(const Loads& nominal, const Scales& scales, std::span<const ActiveEffect> effects);
 inline Loads loads_with_effects(const Loads& nominal, const ActuatorParams& actuator,

@@ -286,45 +286,5 @@ TEST_F(DiagnosisReport, PageBeginsWithThePartThatIsFaultyAndTheNextSteps) {
   EXPECT_NE(html.find("a sine of the current of 2 mA at 3 Hz", steps), std::string::npos);
 }
 
-TEST_F(DiagnosisReport, PageOfWrongWiringHasTheColumnAndTheRemedy) {
-  Diagnosis d{};
-  d.judgement.verdict = Verdict::kWiring;
-  DiagnosisResult wrong = result(d);
-  wrong.wiring = {{.fault = {.kind = diagnosis::WiringKind::kReversed}, .columns = "force_N", .confidence = 0.997}};
-  wrong.findings = {{"reversed", 0, "force_N is reversed: exchange its wires. Confidence 0.997."}};
-  const auto page = write_diagnosis_page(path_, wrong, outcome(d));
-  ASSERT_TRUE(page.ok());
-  const std::string html = text_of(page.value());
-  EXPECT_NE(html.find("<b>force_N</b></td><td>force_N is reversed: exchange its wires.</td><td>almost certain"),
-            std::string::npos);
-  EXPECT_NE(html.find("No picture: the level of force_N shows this fault, and no law over time does."),
-            std::string::npos);
-}
-
-TEST_F(DiagnosisReport, PageOfWrongWiringShowsTheLawThatTheColumnBreaks) {
-  Diagnosis d{};
-  d.judgement.verdict = Verdict::kWiring;
-  DiagnosisResult wrong = result(d);
-  wrong.wiring = {{.fault = {.kind = diagnosis::WiringKind::kReversed}, .columns = "force_N", .confidence = 0.997}};
-  wrong.findings = {{"reversed", 0, "force_N is reversed: exchange its wires. Confidence 0.997."}};
-  diagnosis::LawOverTime sides;
-  for (int i = 0; i < 1500; ++i) {
-    sides.time_s.push_back(1e-3 * i);
-    sides.right.push_back(100.0 * std::sin(0.02 * i));
-    sides.left.push_back(-sides.right.back());
-  }
-  diagnosis::LawOverTime mended = sides;
-  mended.left = mended.right;
-  wrong.evidence = diagnosis::WiringEvidence{diagnosis::WiringLaw::kLoadByPosition, sides, mended};
-  const std::string html = text_of(write_diagnosis_page(path_, wrong, outcome(d)).value());
-  EXPECT_NE(html.find("force as measured, and as the position says by a law of the joint; below with the fault undone"),
-            std::string::npos);
-  EXPECT_TRUE(std::filesystem::exists(path_ + "/pictures/wiring.svg"));
-
-  wrong.evidence->mended = {};
-  const std::string dead = text_of(write_diagnosis_page(path_, wrong, outcome(d)).value());
-  EXPECT_NE(dead.find("with its numbers as near to the measurement as effects can bring them"), std::string::npos);
-}
-
 }  // namespace diagnosis_test
 }  // namespace farrier::report

@@ -134,7 +134,7 @@ TEST_F(ExtendedModel, OfAnElectricJointSaysWhichEffectsARobotFileHasNoPlaceFor) 
       std::vector<std::string>{"torque_constant: the drive computes its torque by its own constant, so set it there"});
 }
 
-TEST_F(ExtendedModel, OfASpringThatTheElectricModelCannotHaveIsNoneAndSaysWhy) {
+TEST_F(ExtendedModel, SaysThatASpringIsTooStiffForTheElectricModel) {
   const robot::Robot leg = testing::shipped("electric_leg");
   const robot::Joint& hip = *leg.find("haa");
   const auto model = extended_model(leg, hip, electric_effects(hip, {{"gear_stiffness", 9e4}}));
