@@ -27,17 +27,18 @@ struct Size {
 /// Effect sizes with which HyQ can still trot. Effects not listed begin where the second fit begins (Parameter::starts)
 /// and go to twice its distance from the neutral value.
 constexpr std::array kSizes{
-    Size{effect_id<plant::InputDelay>(), 0.0003, 0.0009},    Size{effect_id<plant::ValveBias>(), 0.02, 0.06},
-    Size{effect_id<plant::ValveDynamics>(), 0.0003, 0.0007}, Size{effect_id<plant::ValveDeadband>(), 0.02, 0.06},
-    Size{effect_id<plant::ValveAsymmetry>(), 0.15, 0.35},    Size{effect_id<plant::FlowSaturation>(), 2.0, 5.0},
-    Size{effect_id<plant::SupplyDroop>(), 0.3, 1.0},         Size{effect_id<plant::InternalLeakage>(), 0.02, 0.06},
-    Size{effect_id<plant::AirEntrainment>(), 0.02, 0.08},    Size{effect_id<plant::Backlash>(), 0.004, 0.012},
-    Size{effect_id<plant::PistonFriction>(), 0.02, 0.06},    Size{effect_id<plant::LoadMass>(), 1.5, 3.0},
-    Size{effect_id<plant::LoadStiffness>(), 0.2, 0.8},       Size{effect_id<plant::LoadDamping>(), 1.5, 3.0},
-    Size{effect_id<plant::SpringHardening>(), 3.0, 12.0},    Size{effect_id<plant::ExternalForce>(), 0.03, 0.08},
-    Size{effect_id<plant::LoadFriction>(), 0.02, 0.06},      Size{effect_id<plant::ForceSensorLag>(), 0.0015, 0.004},
-    Size{effect_id<plant::ForceSensorGain>(), 1.06, 1.12},   Size{effect_id<plant::ForceSensorOffset>(), 0.03, 0.08},
-    Size{effect_id<plant::ValveHysteresis>(), 0.01, 0.03},   Size{effect_id<plant::VelocityFilterLag>(), 0.002, 0.006}};
+    Size{effect_id<plant::InputDelay>(), 0.0003, 0.0009},     Size{effect_id<plant::ValveBias>(), 0.02, 0.06},
+    Size{effect_id<plant::ValveDynamics>(), 0.0003, 0.0007},  Size{effect_id<plant::ValveDeadband>(), 0.02, 0.06},
+    Size{effect_id<plant::ValveAsymmetry>(), 0.15, 0.35},     Size{effect_id<plant::FlowSaturation>(), 2.0, 5.0},
+    Size{effect_id<plant::SupplyDroop>(), 0.3, 1.0},          Size{effect_id<plant::InternalLeakage>(), 0.02, 0.06},
+    Size{effect_id<plant::AirEntrainment>(), 0.02, 0.08},     Size{effect_id<plant::Backlash>(), 0.004, 0.012},
+    Size{effect_id<plant::PistonFriction>(), 0.02, 0.06},     Size{effect_id<plant::LoadMass>(), 1.5, 3.0},
+    Size{effect_id<plant::LoadStiffness>(), 0.2, 0.8},        Size{effect_id<plant::LoadDamping>(), 1.5, 3.0},
+    Size{effect_id<plant::SpringHardening>(), 3.0, 12.0},     Size{effect_id<plant::ExternalForce>(), 0.03, 0.08},
+    Size{effect_id<plant::LoadFriction>(), 0.02, 0.06},       Size{effect_id<plant::ForceSensorLag>(), 0.0015, 0.004},
+    Size{effect_id<plant::ForceSensorGain>(), 1.06, 1.12},    Size{effect_id<plant::ForceSensorOffset>(), 0.03, 0.08},
+    Size{effect_id<plant::FlexibleLoad>(), 0.15, 0.3},        Size{effect_id<plant::ValveHysteresis>(), 0.01, 0.03},
+    Size{effect_id<plant::VelocityFilterLag>(), 0.002, 0.006}};
 
 /// Distance of an end stop from the ends of its stroke, over the stroke, at which it takes this share of the way off
 /// the joint's planned motion. It leaves the joint where it stands at home.

@@ -56,7 +56,7 @@ Result<Done> validate(const LoadParams& load) {
   refusals.not_negative("damping", load.damping);
   refusals.not_negative("stiffness", load.stiffness);
   refusals.require(true, "equilibrium_position", load.equilibrium_position, "finite");
-  return together({refusals.verdict(), validate(load.friction)});
+  return together({refusals.verdict(), validate(load.friction), validate(load.flexible)});
 }
 
 Result<Done> validate(const ActuatorParams& actuator, const State& state) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/result.hpp"
+#include "plant/effects/flexible_part.hpp"
 #include "plant/effects/friction.hpp"
 #include "plant/effects/lines.hpp"
 #include "plant/effects/spool.hpp"
@@ -37,6 +38,7 @@ struct LoadParams {
   double stiffness = 0.0;             ///< C = k_1 + k_2, N/m or Nm/rad; >= 0
   double equilibrium_position = 0.0;  ///< x_eq, m or rad, where the load spring is slack
   FrictionParams friction{};          ///< F_dry: effect load_friction in the plant; none unless set
+  FlexibleParams flexible{};          ///< effect flexible_load in the plant; none unless set
 };
 
 /// State (2.29): pressures are absolute and never negative.

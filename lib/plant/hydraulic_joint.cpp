@@ -66,7 +66,7 @@ HydraulicJoint::HydraulicJoint(const ActuatorParams& actuator, const LoadParams&
       delay_(delay_of(effects)),
       hysteresis_(hysteresis_of(effects, Scales(actuator, load))),
       integrated_{{initial.position, initial.velocity, initial.pressure_a_Pa, initial.pressure_b_Pa},
-                  effects_.rest({initial.pressure_a_Pa, initial.pressure_b_Pa})},
+                  effects_.rest({initial.pressure_a_Pa, initial.pressure_b_Pa, initial.velocity})},
       state_(initial),
       external_force_limit_(10.0 * actuator.supply_pressure_Pa * std::max(actuator.area_a, actuator.area_b)),
       inverse_tolerance_position_(1.0 / (tolerance * actuator.stroke)),
@@ -75,6 +75,9 @@ HydraulicJoint::HydraulicJoint(const ActuatorParams& actuator, const LoadParams&
       inverse_tolerance_effects_(effects_.scale()) {
   if (find(effects, effect_id<LoadFriction>()) != nullptr) {
     guide_ = load.friction;
+  }
+  if (find(effects, effect_id<FlexibleLoad>()) != nullptr) {
+    part_ = load.flexible;
   }
   for (double& inverse : inverse_tolerance_effects_) {
     inverse = 1.0 / (tolerance * inverse);

@@ -46,8 +46,8 @@ class HydraulicJoint {
                                        double tolerance = kDefaultTolerance,
                                        std::span<const ActiveEffect> effects = {});
 
-  /// Sets another load from now on: position, velocity and pressures are continuous, and the friction stays if it is an
-  /// effect. Returns false and keeps the old load for values create() would refuse.
+  /// Sets another load from now on: position, velocity and pressures are continuous, and the friction and the share of
+  /// mass on a spring stay if they are effects. Returns false and keeps the old load for values create() would refuse.
   bool set_load(const LoadParams& load) noexcept;
 
   /// Sets another valve, oil, piston and effects from now on: motion, pressures and the states of effects are
@@ -62,8 +62,8 @@ class HydraulicJoint {
 
   /// Advances by `period_s` while a mechanism moves the piston to `end`, at a constant velocity and whatever the force
   /// that it needs: the half of the joint left of the load cell. The current is held, and so is the pressure of the
-  /// supply in place of the nominal one (Pa, finite and >= 0, else the nominal one acts). Adds to `account`. The load
-  /// and external forces no longer act; set_load() ends that. An end that is not finite moves nothing.
+  /// supply in place of the nominal one (Pa, finite and >= 0, else the nominal one acts). Adds to `account`. The load,
+  /// with a part on a spring, and external forces no longer act; set_load() ends that. An end that is not finite moves nothing.
   StepReport follow(double valve_current_A, double supply_pressure_Pa, const Motion& end, double period_s,
                     OilAccount& account) noexcept;
 
@@ -138,6 +138,7 @@ class HydraulicJoint {
   DelayLine delay_;
   std::optional<ValveHysteresis<double>> hysteresis_;  ///< exact for the currents that are held
   std::optional<FrictionParams> guide_;                ///< of an effect: replaces the load's own
+  std::optional<FlexibleParams> part_;                 ///< likewise
   AllState integrated_;
   CommandInput command_{0.0, 0.0};  ///< after delay and hysteresis
   HeldInput input_;

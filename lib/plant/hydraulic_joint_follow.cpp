@@ -22,6 +22,7 @@ StepReport HydraulicJoint::follow(double valve_current_A, double supply_pressure
   report.input_refused |= !supplied;
   input.supply_fall_Pa = supplied ? actuator().supply_pressure_Pa - supply_pressure_Pa : 0.0;
   equations_.set_load({.mass = std::numeric_limits<double>::infinity()});
+  effects_.change<FlexiblePart>().set({}, 0.0);
   const double velocity_before = state_.velocity;
   integrated_.velocity = (end.position - integrated_.position) / period_s;
   hold(at_spool(input));
@@ -55,6 +56,7 @@ double HydraulicJoint::stored_J() const noexcept {
 bool HydraulicJoint::set_load(const LoadParams& given) noexcept {
   LoadParams load = given;
   load.friction = guide_.value_or(given.friction);
+  load.flexible = part_.value_or(given.flexible);
   if (!is_physical(load, actuator().piston_mass)) {
     return false;
   }

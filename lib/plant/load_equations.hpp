@@ -4,6 +4,9 @@
 
 namespace farrier::plant {
 
+/// The load's mass without the part that hangs on it by a spring.
+inline double rigid_mass(const LoadParams& load) noexcept { return load.mass * (1.0 - load.flexible.share); }
+
 /// Right of the load cell: force gives motion, Hubacher (2014), (2.24). The piston moves with the load, so that its
 /// mass and damping are here too, (2.25), (2.26). N, m, m/s, m/s^2 or Nm, rad, rad/s, rad/s^2.
 class LoadEquations {
@@ -15,8 +18,8 @@ class LoadEquations {
 
   void set(const LoadParams& load) noexcept {
     params_ = load;
-    inverse_mass_ = 1.0 / (load.mass + piston_mass_);  // (2.25)
-    total_damping_ = load.damping + piston_damping_;   // (2.26)
+    inverse_mass_ = 1.0 / (rigid_mass(load) + piston_mass_);  // (2.25)
+    total_damping_ = load.damping + piston_damping_;          // (2.26)
   }
 
   /// (2.24) (m_l + m_p) a = F_h - (d_l + d_p) v - C (x - x_eq) + F_ext + F_stop

@@ -24,6 +24,7 @@ constexpr Remedy kRemedies[] = {
     {"piston_friction", "piston", "Check seals, their preload and side loads on the rod."},
     {"end_stop", "end stops", "Look for something in the way, and for the zero of the position sensor."},
     {"load_mass", "load", "Weigh what the joint carries, and compare it with the robot file."},
+    {"flexible_load", "load", "Check mounts and screws of what the joint carries: a part of it swings by itself."},
     {"load_stiffness", "load", "Look for springs, hoses and cables that pull on the load."},
     {"load_damping", "load bearings", "Check bearings, grease and dampers of the load."},
     {"spring_hardening", "load", "Check springs and hoses for windings that touch or stretch taut."},

@@ -5,6 +5,7 @@ farrier_test(plant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/plant/force_dynamics_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/linear_forms_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/effects_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant/flexible_load_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/friction_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/lean_effects_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/follow_test.cpp

@@ -116,6 +116,12 @@ double end_stop(Machine& m, double cut, const Extents& e, const Chance& c) {
 double valve_hysteresis(Machine& m, double size, const Extents& e, const Chance& c) {
   return m.hysteresis_A = size * c.spread() * current_unit(m, e);
 }
+// A share of the load behind a spring, damped to 5 %; the whole mass stays.
+double flexible_load(Machine& m, double size, const Extents&, const Chance& c) {
+  m.branch_rad_s = kFullTurn * c.within(8.0, 20.0);
+  m.branch_damping = 0.05;
+  return m.branch_share = size * c.spread();
+}
 
 // From a quarter of the level to nearly twice it and back over two thirds of the largest excursion.
 double position_dependent_friction(Machine& m, double size, const Extents& e, const Chance& c) {
@@ -133,14 +139,6 @@ double gain_drift(Machine& m, double size, const Extents& e, const Chance& c) {
   const double lost = size * c.spread();
   m.gain_loss_per_s = lost / e.duration_s;
   return lost;
-}
-// A share of the load behind a spring, damped to 5 %; the whole mass stays.
-double flexible_load(Machine& m, double size, const Extents&, const Chance& c) {
-  const double share = size * c.spread(), omega = kFullTurn * c.within(8.0, 20.0);
-  m.branch_mass = share * m.load_mass;
-  m.branch_stiffness = m.branch_mass * omega * omega;
-  m.branch_damping = 2.0 * 0.05 * m.branch_mass * omega;
-  return share;
 }
 double force_sensor_crosstalk(Machine& m, double size, const Extents& e, const Chance& c) {
   return m.crosstalk = size * c.spread() * c.sign() / e.excursion;
@@ -188,13 +186,13 @@ constexpr Entry kKnown[] = {
     {"backlash", "play", {0.15e-3, 0.4e-3, 1.0e-3}, backlash},
     {"end_stop", "inset", {0.05, 0.15, 0.30}, end_stop},
     {"valve_hysteresis", "half_width_A", {0.015, 0.035, 0.08}, valve_hysteresis},
+    {"flexible_load", "share_of_mass", {0.15, 0.3, 0.6}, flexible_load},
 };
 
 constexpr Entry kOutside[] = {
     {"position_dependent_friction", "coulomb", {0.04, 0.08, 0.15}, position_dependent_friction},
     {"pump_ripple", "amplitude_Pa", {0.08, 0.16, 0.3}, pump_ripple},
     {"gain_drift", "loss", {0.15, 0.25, 0.4}, gain_drift},
-    {"flexible_load", "share_of_mass", {0.15, 0.3, 0.6}, flexible_load},
     {"force_sensor_crosstalk", "gain_per_position", {0.15, 0.3, 0.6}, force_sensor_crosstalk},
     {"supply_accumulator", "surge_Pa_s_m3", {0.1, 0.2, 0.4}, supply_accumulator},
     {"periodic_load_force", "amplitude", {0.03, 0.08, 0.16}, periodic_load_force},

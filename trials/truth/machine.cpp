@@ -195,12 +195,12 @@ Outcome differentiate(const Machine& m, double time_s, const Vector& x, const Ac
                    rub(m.load_contact, position - middle, v, x[kLoadBristle], dx[kLoadBristle]);
   double near_mass = m.load_mass;
   dx[kBranchX] = dx[kBranchV] = 0.0;
-  if (m.branch_mass > 0.0) {
-    const double pull = m.branch_stiffness * (x[kBranchX] - position) + m.branch_damping * (x[kBranchV] - v);
-    near_mass -= m.branch_mass;
-    on_load += pull;
+  if (m.branch_share > 0.0) {
+    const double w = m.branch_rad_s, mass = m.branch_share * m.load_mass;
     dx[kBranchX] = x[kBranchV];
-    dx[kBranchV] = -pull / m.branch_mass;
+    dx[kBranchV] = w * w * (position - x[kBranchX]) + 2.0 * m.branch_damping * w * (v - x[kBranchV]);
+    near_mass -= mass;
+    on_load -= mass * dx[kBranchV];
   }
 
   double cell = 0.0;

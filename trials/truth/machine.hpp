@@ -46,7 +46,7 @@ struct Machine {
   double feed_inertance = 0.0, feed_resistance = 0.0;        ///< of the line that feeds it, Pa s^2/m^3, Pa s/m^3
   double hysteresis_A = 0.0;                                 ///< half width of the play in the command
   double gain_loss_per_s = 0.0;                              ///< of the valve's gain, relative
-  double branch_mass = 0.0, branch_stiffness = 0.0, branch_damping = 0.0;  ///< part of the load behind a spring
+  double branch_share = 0.0, branch_rad_s = 0.0, branch_damping = 0.0;  ///< part of the load behind a spring
   double crosstalk = 0.0;                                    ///< gain of the load cell, 1/m or 1/rad off mid-stroke
   double beat_force = 0.0, beat_rad_s = 0.0;                 ///< sinusoidal force on the load
   double random_force = 0.0, random_force_time_s = 0.05;     ///< std of a first-order random force on the load

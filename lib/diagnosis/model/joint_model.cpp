@@ -1,6 +1,8 @@
 #include "diagnosis/model/joint_model.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numbers>
 
 #include "diagnosis/model/jets.hpp"
 #include "plant/terms/active_effect.hpp"
@@ -8,6 +10,9 @@
 namespace farrier::diagnosis {
 
 namespace {
+
+/// Natural frequencies of a part of the load on a spring from which fits begin.
+constexpr std::array kBranch_Hz{5.0, 8.0, 12.0, 18.0, 28.0};
 
 /// Terms of sensors act once per sample, the others once per substep.
 double step_of(plant::Side side, const JointData& data) noexcept {
@@ -68,6 +73,13 @@ std::vector<std::vector<double>> JointModel::starts(plant::EffectId effect, cons
     const auto [low, high] = std::ranges::minmax(data.position);
     const double length = scales_.of(plant::Scale::kLength);
     all[0][0] = (std::min(low, length - high) + 0.02 * (high - low)) / length;
+  }
+  if (effect == plant::effect_id<plant::FlexibleLoad>()) {
+    // A resonance is found from nearby only.
+    all.assign(kBranch_Hz.size(), all[0]);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i][1] = 2.0 * std::numbers::pi * kBranch_Hz[i];
+    }
   }
   return all;
 }

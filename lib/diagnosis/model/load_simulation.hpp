@@ -37,6 +37,15 @@ class LoadSimulation {
         force_(data, terms, begin) {
     valve_moves_ =
         !data.current_A.empty() && (current_.delayed() || terms_.template find<plant::ValveDynamics>() != nullptr);
+    if (terms_.template find<plant::FlexibleLoad>() != nullptr) {
+      // Where a part on a spring swings hangs on all motion before.
+      for (std::size_t k = 0; k < begin; ++k) {
+        const T mean(0.5 * (data.velocity[k] + data.velocity[k + 1]));
+        for (std::size_t part = 0; part < JointData::kLoadSubsteps; ++part) {
+          terms_.follow_load(mean);
+        }
+      }
+    }
     settle(begin);
   }
 

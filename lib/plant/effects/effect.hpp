@@ -39,10 +39,11 @@ struct Instant {
   double piston_force = 0.0;  ///< on the piston, left of the load cell, positive along +position
 };
 
-/// Pressures of the joint when it is created: at rest, valve shut.
+/// Pressures and speed of the joint when it is created: valve shut.
 struct RestPoint {
   double pressure_a_Pa;
   double pressure_b_Pa;
+  double velocity = 0.0;  ///< m/s or rad/s
 };
 
 /// Integration of an effect whose term in plant/terms has a state (EffectInfo::has_state), and of the lines. Each is a

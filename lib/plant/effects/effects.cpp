@@ -59,6 +59,10 @@ LoadParams with_effects(const LoadParams& load, const ActuatorParams& actuator,
   if (const ActiveEffect* friction = find(effects, effect_id<LoadFriction>())) {
     changed.friction = contact(actuator, friction);
   }
+  if (const ActiveEffect* part = find(effects, effect_id<FlexibleLoad>())) {
+    changed.flexible = {*parameter_value(*part, "share_of_mass"), *parameter_value(*part, "natural_frequency_rad_s"),
+                        *parameter_value(*part, "damping")};
+  }
   return changed;
 }
 
@@ -98,11 +102,13 @@ Effects::Effects(const ActuatorParams& actuator, const LoadParams& load, std::sp
                 make_lines(actuator), Friction(load.friction, full_push(actuator), velocity_scale(actuator), tolerance),
                 SealFriction(contact(actuator, find(effects, effect_id<PistonFriction>())), full_push(actuator),
                              velocity_scale(actuator), tolerance),
+                FlexiblePart(load.flexible, load.mass, actuator.stroke, velocity_scale(actuator)),
                 StatelessTerms(actuator, load, effects)) {}
 
 Effects::X Effects::set_load(const LoadParams& load, const X& x) noexcept {
   X carried = x;
   change<Friction>().set(load.friction);
+  change<FlexiblePart>().set(load.flexible, load.mass);
   change<StatelessTerms>().set(load);
   carried[at<Friction>()] = get<Friction>().carried_over({x[at<Friction>()]})[0];
   return carried;
@@ -110,7 +116,8 @@ Effects::X Effects::set_load(const LoadParams& load, const X& x) noexcept {
 
 std::optional<LeanEffects> lean(const Effects& effects) noexcept {
   const std::optional<LandLeaks> leaks = effects.get<StatelessTerms>().as_land_leaks();
-  const bool others = effects.get<Spool>().active() || effects.lines().active() || effects.get<Friction>().active();
+  const bool others = effects.get<Spool>().active() || effects.lines().active() || effects.get<Friction>().active() ||
+                      effects.get<FlexiblePart>().active();
   if (!effects.active() || others || !leaks) {
     return std::nullopt;
   }

@@ -5,6 +5,7 @@
 
 #include "plant/actuator.hpp"
 #include "plant/effects/effect_set.hpp"
+#include "plant/effects/flexible_part.hpp"
 #include "plant/effects/land_leaks.hpp"
 #include "plant/effects/stateless_terms.hpp"
 #include "plant/effects/supply_line.hpp"
@@ -12,7 +13,7 @@
 namespace farrier::plant {
 
 /// Puts those `effects` into the parameters of a joint that the parameters can represent: valve_dynamics replaces the
-/// spool, load_friction the friction of the load.
+/// spool, load_friction the friction of the load, flexible_load the part of its mass that hangs on the rest.
 ActuatorParams with_effects(const ActuatorParams& actuator, std::span<const ActiveEffect> effects) noexcept;
 LoadParams with_effects(const LoadParams& load, const ActuatorParams& actuator,
                         std::span<const ActiveEffect> effects) noexcept;
@@ -26,7 +27,7 @@ Result<Done> validate(std::span<const ActiveEffect> effects);
 
 /// Every effect of a joint: on the way from the command to the valve's opening, then from the valve to the chambers,
 /// then on the load.
-class Effects : public EffectSet<Spool, SupplyLine, Lines, Friction, SealFriction, StatelessTerms> {
+class Effects : public EffectSet<Spool, SupplyLine, Lines, Friction, SealFriction, FlexiblePart, StatelessTerms> {
  public:
   /// Takes the effects in the parameters and, of `effects`, those that are not in them; `tolerance` of a substep.
   Effects(const ActuatorParams& actuator, const LoadParams& load, std::span<const ActiveEffect> effects,

@@ -12,6 +12,7 @@
 #include "plant/terms/electric_effects.hpp"
 #include "plant/terms/end_stop.hpp"
 #include "plant/terms/external_force.hpp"
+#include "plant/terms/flexible_load.hpp"
 #include "plant/terms/flow_saturation.hpp"
 #include "plant/terms/force_sensor_gain.hpp"
 #include "plant/terms/force_sensor_lag.hpp"
@@ -48,7 +49,7 @@ template <class T>
 using AllTerms = TermList<T, InputDelay, ValveHysteresis, ValveBias, ValveDynamics, ValveDeadband, ValveAsymmetry,
                           FlowSaturation, SupplyDroop, InternalLeakage, AirEntrainment, Backlash, PistonFriction,
                           EndStop, LoadMass, LoadStiffness, LoadDamping, SpringHardening, ExternalForce, LoadFriction,
-                          ForceSensorLag, ForceSensorGain, ForceSensorOffset, VelocityFilterLag>;
+                          FlexibleLoad, ForceSensorLag, ForceSensorGain, ForceSensorOffset, VelocityFilterLag>;
 
 inline constexpr std::size_t kEffectCount = AllTerms<double>::kCount;
 /// Effects that a diagnosis may name: those of AllTerms, which robot files have, then kElectricEffects.
@@ -127,6 +128,14 @@ class TermSet {
     each([&](auto& term) {
       if constexpr (requires { term.after_load(mean_velocity); }) {
         term.after_load(mean_velocity);
+      }
+    });
+  }
+  /// A substep in which the load is moved at that mean velocity, by whatever forces.
+  void follow_load(const T& mean_velocity) noexcept {
+    each([&](auto& term) {
+      if constexpr (requires { term.follow_load(mean_velocity); }) {
+        term.follow_load(mean_velocity);
       }
     });
   }

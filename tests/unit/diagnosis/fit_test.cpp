@@ -71,6 +71,51 @@ TEST(SideModels, TheMassOfALoadThatRingsWithTheOilIsFoundWithoutBias) {
   }
 }
 
+/// The rig with a part of its load's mass on a spring, under random steps of the current.
+Recording recorded_flexible(const plant::FlexibleParams& part) {
+  plant::LoadParams load = rig().swing_load;
+  load.flexible = part;
+  const NoiseStream draw(7, "diagnosis_fit_test", "current");
+  return recorded_rig(2000, load, [&](int k) { return (2.0 * draw.uniform(k / 60) - 1.0) * 1e-3; });
+}
+
+TEST(SideModels, APartOfTheLoadOnASpringIsFoundFromTheNearestOfItsStarts) {
+  const plant::FlexibleParams part{0.3, 62.0, 0.04};
+  const JointData data = prepare(recorded_flexible(part), rig().actuator, rig().noise.position);
+  const JointModel model(rig().actuator, rig().swing_load);
+  const JointSimulator simulator(model, data);
+  const FitData fitted{&simulator, {false, true, false}, {1.0, 1e-3, 1.0}};
+  const std::vector<std::vector<double>> starts = simulator.starts(plant::find_effect("flexible_load"));
+  const auto nearest = std::ranges::min_element(
+      starts, {}, [&](const auto& start) { return std::abs(start[1] - part.natural_frequency_rad_s); });
+  Model from = Model::nominal();
+  from.effects = {{plant::find_effect("flexible_load"), *nearest}};
+  const FitResult result = fit(fitted, {0, data.size()}, from, {false, true, false}, {});
+  const std::vector<double>& found = result.model.effects[0].fitted;
+  EXPECT_NEAR(found[0], part.share, 0.02 * part.share);
+  EXPECT_NEAR(found[1], part.natural_frequency_rad_s, 0.02 * part.natural_frequency_rad_s);
+  EXPECT_NEAR(found[2], part.damping, 0.1 * part.damping);
+}
+
+TEST(SideModels, APartOnASpringSwingsInASecondHalfAsTheFirstHalfHasLeftIt) {
+  const JointData data = prepare(recorded_flexible({0.3, 30.0, 0.01}), rig().actuator, rig().noise.position);
+  const JointModel model(rig().actuator, rig().swing_load);
+  Model swings = Model::nominal();
+  swings.effects = {{plant::find_effect("flexible_load"), {0.3, 30.0, 0.01}}};
+  const std::size_t begin = data.size() / 2;
+  const Observer observer;
+  const auto whole = model.simulate(data, {0, data.size()}, swings, Channel::kMotion, observer);
+  const auto half = model.simulate(data, {begin, data.size()}, swings, Channel::kMotion, observer);
+  const auto without = model.simulate(data, {begin, data.size()}, Model::nominal(), Channel::kMotion, observer);
+  double error = 0.0;
+  double change = 0.0;
+  for (std::size_t i = 300; i < 600; ++i) {
+    error += std::abs(half[i] - whole[begin + i]);
+    change += std::abs(without[i] - whole[begin + i]);
+  }
+  EXPECT_LT(error, 0.05 * change);
+}
+
 TEST(SideModels, DerivativesAreThoseOfFiniteDifferences) {
   const JointData data = prepare(recorded(1.0), rig().actuator, rig().noise.position);
   const JointModel model(rig().actuator, rig().swing_load);
