@@ -27,7 +27,7 @@ ActiveEffect flexible(double share) {
   return effect_of("flexible_load", {share, kOmega_rad_s, kDamping}, kCylinder, kLoad);
 }
 
-TEST(FlexibleLoad, OfNoShareChangesNoBit) {
+TEST(FlexibleLoad, ChangesNoBitWithoutAShare) {
   HydraulicJoint with = joint_with(kCylinder, kLoad, {flexible(0.0)});
   HydraulicJoint nominal = joint_with(kCylinder, kLoad, {});
   FlexibleLoad<double> term(std::array{0.0, kOmega_rad_s, kDamping}.data(), Scales(kCylinder, kLoad), kPeriod_s);
@@ -163,7 +163,7 @@ TEST(FlexibleLoad, IsLeftToAMechanismThatMovesThePiston) {
   }
 }
 
-TEST(FlexibleLoad, OfTheWholeMassIsRefused) {
+TEST(FlexibleLoad, RefusesTheWholeMass) {
   const ActiveEffect all = flexible(1.0);
   const auto joint =
       HydraulicJoint::create(kCylinder, kLoad, equilibrium(kCylinder, kLoad, 0.04, 0.0), 1e-6, std::span(&all, 1));
