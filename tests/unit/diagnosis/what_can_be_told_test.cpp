@@ -93,13 +93,14 @@ std::vector<std::string> names_in(const Judgement& judgement) {
   return names;
 }
 
+// Mass and damping at two frequencies are also those of a load with a part on a spring; a third tells them apart.
 TEST(WhatCanBeTold, ASetThatARecordingSeparatesIsNamed) {
   plant::LoadParams load = rig().swing_load;
   load.mass *= 1.2;
   load.damping *= 1.2;
   Recording recording = recorded_rig(3000, load, [](int k) {
     const double time_s = k * 1e-3;
-    return 1e-3 * std::sin(12.0 * time_s) + 0.5e-3 * std::sin(90.0 * time_s);
+    return 1e-3 * std::sin(12.0 * time_s) + 0.5e-3 * std::sin(90.0 * time_s) + 0.5e-3 * std::sin(160.0 * time_s);
   });
   for (double& current_A : recording.valve_current_A) {
     current_A -= 3e-4;
@@ -111,6 +112,9 @@ TEST(WhatCanBeTold, ASetThatARecordingSeparatesIsNamed) {
     EXPECT_FALSE(member.remedy.column || member.remedy.experiment);
   }
   const Judgement judgement = diagnose(recording, rig()).judgement;
+  for (const auto& [one, other] : judgement.alternatives) {
+    ADD_FAILURE() << plant::effect_info(one).name << " or " << plant::effect_info(other).name;
+  }
   EXPECT_EQ(judgement.verdict, Verdict::kEffects);
   EXPECT_EQ(names_in(judgement), (std::vector<std::string>{"load_damping", "load_mass", "valve_bias"}));
 }
