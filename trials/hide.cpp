@@ -25,7 +25,7 @@ struct Size {
 };
 
 /// Effect sizes with which HyQ can still trot. Effects not listed begin where the second fit begins (Parameter::starts)
-/// and go to twice its distance from the neutral value.
+/// and go to twice its distance from the neutral value. A general form has the sizes of its special case.
 constexpr std::array kSizes{
     Size{effect_id<plant::InputDelay>(), 0.0003, 0.0009},     Size{effect_id<plant::ValveBias>(), 0.02, 0.06},
     Size{effect_id<plant::ValveDynamics>(), 0.0003, 0.0007},  Size{effect_id<plant::ValveDeadband>(), 0.02, 0.06},
@@ -74,7 +74,8 @@ double fitted_size(const robot::Robot& robot, const robot::Joint& joint, EffectI
     return std::clamp(inset(robot, joint, 0.1 + 0.2 * share), size.low, size.high);
   }
   const double neutral = scales.neutral(size);
-  const auto listed = std::ranges::find(kSizes, id, &Size::id);
+  const auto listed =
+      std::ranges::find(kSizes, plant::is_general_form(id) ? plant::special_case_of(id) : id, &Size::id);
   const Size range = listed != kSizes.end() ? *listed : default_size(id, size, info.nominal ? neutral : 0.0);
   const double drawn = range.low + share * (range.high - range.low);
   const bool below = info.either_sign && stream.uniform(kSign) < 0.5;

@@ -38,19 +38,23 @@ class DryContact {
     return square > kPastStribeck ? coulomb_ : T(coulomb_ + drop_ * exp(-square));
   }
   /// f', N/s or Nm/s.
-  T rate(const T& force, const T& speed) const noexcept {
+  T rate(const T& force, const T& speed) const noexcept { return rate(force, speed, steady(speed)); }
+  /// The same where the steady friction at that speed is `steady`.
+  T rate(const T& force, const T& speed, const T& steady) const noexcept {
     const T along = speed < 0.0 ? T(-force) : force;
-    return stiffness_ * speed * (1.0 - along / steady(speed));  // 0 to the last bit in steady sliding
+    return stiffness_ * speed * (1.0 - along / steady);  // 0 to the last bit in steady sliding
   }
   /// Coefficients of a step at constant speed, f+ = keep f + give v: the rest of f, and the gain per speed. With a = s
   /// |v| h / g and s = F_s / z_s it is f e^-a + s h phi(a) v, phi(a) = (1 - e^-a) / a.
   struct Step {
     T keep, give;
   };
-  Step over(const T& speed, double step_s) const noexcept {
+  Step over(const T& speed, double step_s) const noexcept { return over(speed, step_s, steady(speed)); }
+  /// The same where the steady friction at that speed is `steady`.
+  Step over(const T& speed, double step_s, const T& steady) const noexcept {
     using portable::exp;
     using std::abs;
-    const T a = stiffness_ * abs(speed) * step_s / steady(speed);
+    const T a = stiffness_ * abs(speed) * step_s / steady;
     const T keep = exp(-a);
     const T phi = a > 1e-6 ? T((1.0 - keep) / a) : T(1.0 - 0.5 * a);
     return {keep, stiffness_ * step_s * phi};

@@ -279,7 +279,7 @@ EffectReadings HydraulicJoint::effects() const noexcept {
           .line_pressure_b_Pa = lines ? pressure_of(integrated_.x[line + 1]) : state_.pressure_b_Pa,
           .line_flow_a_m3_s = integrated_.x[line + 2],
           .line_flow_b_m3_s = integrated_.x[line + 3],
-          .friction = integrated_.x[Effects::at<Friction>()],
+          .friction = integrated_.x[Effects::at<Friction>()] + integrated_.x[Effects::at<WavyFriction>()],
           .piston_force = has_effects_ ? effects_piston_force() : 0.0};
 }
 

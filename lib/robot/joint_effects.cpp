@@ -47,7 +47,7 @@ class EffectReader {
   /// A contact that the file lets bend less than a substep can follow.
   void check_bristles(const EffectSection& section, const plant::ActiveEffect& effect, std::size_t presliding) {
     const plant::Parameter& parameter = effect.info().parameters[presliding];
-    const double least = plant::least_presliding(joint_.actuator, *plant::parameter_value(effect, "breakaway_ratio"));
+    const double least = plant::least_presliding(joint_.actuator, effect);
     const double usual = plant::default_value(parameter, scales_, joint_.actuator, joint_.swing_load);
     if (effect.values[presliding] < std::min(least, (1.0 - kRounding) * usual)) {
       problems_.push_back(section.place.problem(joint_.rotary ? parameter.rotary_name : parameter.name,
@@ -60,7 +60,7 @@ class EffectReader {
 
   /// Bristles that would give energy back within the joint's speeds (Barabanov and Ortega 2000).
   void check_bristle_damping(const EffectSection& section, const plant::ActiveEffect& effect) {
-    const double most = 4.0 * *plant::parameter_value(effect, "coulomb_N") / plant::velocity_scale(joint_.actuator);
+    const double most = 4.0 * plant::least_coulomb(effect) / plant::velocity_scale(joint_.actuator);
     const double damping = *plant::parameter_value(effect, "bristle_damping_Ns_m");
     if (damping > most) {
       problems_.push_back(section.place.problem(joint_.rotary ? "bristle_damping_Nms_rad" : "bristle_damping_Ns_m",

@@ -30,6 +30,8 @@ constexpr Remedy kRemedies[] = {
     {"spring_hardening", "load", "Check springs and hoses for windings that touch or stretch taut."},
     {"external_force", "load", "Look for what pulls steadily: weight, cables, a neighbouring part."},
     {"load_friction", "load bearings", "Turn the unloaded joint by hand: guides or bearings stick."},
+    {"position_dependent_friction", "load bearings",
+     "Move the unloaded joint through its stroke by hand: a rod is bent, or a guide is worn in one place."},
     {"force_sensor_lag", "load cell", "Check filter and sampling of the load cell's amplifier."},
     {"force_sensor_gain", "load cell", "Calibrate the load cell with a known weight."},
     {"force_sensor_offset", "load cell", "Zero the load cell without a load."},

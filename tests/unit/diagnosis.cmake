@@ -3,6 +3,7 @@ farrier_test(diagnosis_test unit
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/derive_velocity_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/electric_model_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/fit_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/friction_starts_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/not_judged_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/recording_check_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/recording_fuzz_test.cpp
@@ -19,7 +20,8 @@ target_compile_definitions(diagnosis_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOUR
 
 farrier_test(calibration_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/calibration_test.cpp)
 target_link_libraries(calibration_test PRIVATE farrier_blind)
-farrier_test(blind_trials_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/blind_trials_test.cpp)
+farrier_test(blind_trials_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/blind_trials_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/trials/blind_friction_test.cpp)
 target_link_libraries(blind_trials_test PRIVATE farrier_blind)
 target_compile_definitions(blind_trials_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 

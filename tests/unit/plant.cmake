@@ -17,6 +17,7 @@ farrier_test(plant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/plant/terms_steady_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/terms_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/valve_hysteresis_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant/wavy_friction_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
 target_link_libraries(plant_test PRIVATE test_solvers farrier_plant)
 

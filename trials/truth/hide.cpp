@@ -187,10 +187,10 @@ constexpr Entry kKnown[] = {
     {"end_stop", "inset", {0.05, 0.15, 0.30}, end_stop},
     {"valve_hysteresis", "half_width_A", {0.015, 0.035, 0.08}, valve_hysteresis},
     {"flexible_load", "share_of_mass", {0.15, 0.3, 0.6}, flexible_load},
+    {"position_dependent_friction", "coulomb", {0.04, 0.08, 0.15}, position_dependent_friction},
 };
 
 constexpr Entry kOutside[] = {
-    {"position_dependent_friction", "coulomb", {0.04, 0.08, 0.15}, position_dependent_friction},
     {"pump_ripple", "amplitude_Pa", {0.08, 0.16, 0.3}, pump_ripple},
     {"gain_drift", "loss", {0.15, 0.25, 0.4}, gain_drift},
     {"force_sensor_crosstalk", "gain_per_position", {0.15, 0.3, 0.6}, force_sensor_crosstalk},

@@ -93,7 +93,7 @@ double Selection::score(const Hypothesis& hypothesis) const {
 void Selection::grow() {
   ChannelMask open = chosen_.effects.empty() ? above_noise_ : open_channels();
   for (std::size_t round = 0; round < 2 * rules_.most_effects && meet(open, open); ++round) {
-    if (reached_before() || !add(open)) {
+    if (reached_before() || (!generalise() && !add(open))) {
       return;
     }
     prune();
@@ -184,7 +184,9 @@ std::vector<plant::EffectId> Selection::promising(const std::vector<Screening::P
     const ChannelMask shows = bench_.simulator().channels(id);
     bool wanted = false;
     for (std::size_t c = 0; c < kChannels; ++c) {
-      wanted = wanted || (shows[c] && open[c] && (on_channel[c]++ < rules_.most_fitted || !rules_.screens));
+      // A general form takes no place of another effect.
+      const bool has_place = !rules_.screens || plant::is_general_form(id) || on_channel[c]++ < rules_.most_fitted;
+      wanted = wanted || (shows[c] && open[c] && has_place);
     }
     if (wanted) {
       kept.push_back(id);
@@ -198,7 +200,7 @@ std::vector<Selection::Tried> Selection::try_all(const ChannelMask& open) const 
   const Screening screening(bench_, chosen_);
   std::vector<Screening::Promise> promises(plant::kNameableCount);
   for_each_(plant::kNameableCount, [&](std::size_t id) {
-    if (meet(bench_.simulator().channels(id), open) && !holds(chosen_, id)) {
+    if (meet(bench_.simulator().channels(id), open) && (may_be_added(chosen_, id) || may_be_added_as_general(id))) {
       promises[id] = screening.promise_of(id);
     }
   });
@@ -229,6 +231,12 @@ std::vector<Selection::Tried> Selection::try_all(const ChannelMask& open) const 
                      one.gain.by_half[1] > 0.0 && worth_it(with) && outside_neutral(id, one.estimate);
     }
   });
+  for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
+    if (tried[id].accepted && plant::is_general_form(id)) {
+      const auto& special = tried[plant::special_case_of(id)].hypothesis;
+      tried[id].accepted = explains_more_than_special(id, special.value_or(chosen_), *tried[id].hypothesis);
+    }
+  }
   return tried;
 }
 

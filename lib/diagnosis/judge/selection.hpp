@@ -32,6 +32,9 @@ bool at_bound(plant::EffectId id, const Estimate& estimate);
 /// True if a hypothesis has the effect.
 bool holds(const Hypothesis& hypothesis, plant::EffectId id);
 
+/// True if an effect may stand beside those of a hypothesis or in the place of one. General forms follow their special cases.
+bool may_be_added(const Hypothesis& to, plant::EffectId id);
+
 /// Choice of effects by their gain on held-out time, step by step: adds, removes or exchanges one effect.
 class Selection {
  public:
@@ -145,6 +148,14 @@ class Selection {
   /// Takes `other`, which has `rival` in the place of `effect`, or notes how near it is.
   Exchange compare(plant::EffectId effect, plant::EffectId rival, const Hypothesis& other);
   bool are_tied(plant::EffectId chosen, plant::EffectId rival) const;
+  /// True if a general form may stand beside the chosen ones in place of its special case, by where its fits begin.
+  bool may_be_added_as_general(plant::EffectId id) const;
+  /// True if `with` explains sufficiently more by an effect's general form than `special` by its special case.
+  bool explains_more_than_special(plant::EffectId general, const Hypothesis& special, const Hypothesis& with) const;
+  /// Puts the general form of a chosen effect in its place, if a channel on which it shows is open and it explains more.
+  bool generalise();
+  /// Puts the special case in the place of a chosen general form that explains no more.
+  void specialise();
   /// Notes a rival that explains nearly the same.
   void note_tie(Tie tie, double chance);
   /// Forgets ties of effects that are no longer chosen.

@@ -76,7 +76,7 @@ std::vector<Selection::RivalStart> Selection::promised_rivals(const Hypothesis& 
   const Screening screening(bench_, less);
   std::vector<RivalStart> rivals(plant::kNameableCount);
   for_each_(plant::kNameableCount, [&](std::size_t id) {
-    if (may_be_rivals(id, effect) && !holds(chosen_, id)) {
+    if (may_be_rivals(id, effect) && may_be_added(chosen_, id)) {
       const Screening::Promise promise = screening.promise_of(id);
       rivals[id] = {id, promise.start, promise.log_ratio / mine};
     }
@@ -107,7 +107,7 @@ std::vector<std::pair<plant::EffectId, Hypothesis>> Selection::rivals_of(plant::
     }
   }
   for (const auto& [pair, fitted] : rivals_) {
-    if (pair.first == effect && !holds(chosen_, pair.second)) {
+    if (pair.first == effect && may_be_added(chosen_, pair.second)) {
       rivals.emplace_back(pair.second, bench_.exchanged(chosen_, effect, pair.second, fitted));
     }
   }
@@ -176,6 +176,7 @@ void Selection::exchange() {
     for (const auto& [rival, other] : rivals_of(effect)) {
       const Exchange exchange = compare(effect, rival, other);
       if (exchange == Exchange::kBetter) {
+        generalise();
         compared.clear();
         ties_.clear();
         chance_.fill(1.0);
@@ -201,6 +202,7 @@ void Selection::forget_ties() {
 }
 
 void Selection::prune() {
+  specialise();
   for (std::size_t i = 0; chosen_.effects.size() > 1 && i < chosen_.effects.size();) {
     const plant::EffectId id = chosen_.effects[i];
     if (is_needed(i)) {

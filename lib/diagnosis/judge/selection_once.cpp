@@ -67,7 +67,7 @@ std::vector<Selection::Tried> Selection::try_once(const Hypothesis& from, std::s
                                                   const ChannelMask& open) const {
   std::vector<Tried> tried(plant::kNameableCount);
   for_each_(plant::kNameableCount, [&](std::size_t id) {
-    if (!meet(bench_.simulator().channels(id), open) || holds(from, id)) {
+    if (!meet(bench_.simulator().channels(id), open) || !may_be_added(from, id)) {
       return;
     }
     Tried& one = tried[id];

@@ -39,7 +39,7 @@ std::vector<Screening::PairPromise> Selection::pair_promises(const Hypothesis& f
   for (plant::EffectId one = 0; one < plant::kNameableCount; ++one) {
     for (plant::EffectId other = one + 1; other < plant::kNameableCount; ++other) {
       const ChannelMask both = both_of(bench_.simulator().channels(one), bench_.simulator().channels(other));
-      if (meet(both, open) && !holds(chosen_, one) && !holds(chosen_, other)) {
+      if (meet(both, open) && may_be_added(chosen_, one) && may_be_added(chosen_, other)) {
         ids.emplace_back(one, other);
       }
     }
@@ -109,7 +109,7 @@ void Selection::grow_from_wider() {
     const Screening screening(bench_, less);
     std::vector<std::optional<Hypothesis>> wider(plant::kNameableCount);
     for_each_(plant::kNameableCount, [&](std::size_t id) {
-      if (!bench_.simulator().channels(id)[c] || channel_count(id) < 2 || holds(chosen_, id)) {
+      if (!bench_.simulator().channels(id)[c] || channel_count(id) < 2 || !may_be_added(chosen_, id)) {
         return;
       }
       if (const Screening::Promise promise = screening.promise_of(id); !promise.start.empty()) {

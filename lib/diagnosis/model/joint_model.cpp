@@ -4,6 +4,7 @@
 #include <array>
 #include <numbers>
 
+#include "diagnosis/model/friction_starts.hpp"
 #include "diagnosis/model/jets.hpp"
 #include "plant/terms/active_effect.hpp"
 
@@ -66,6 +67,9 @@ std::vector<std::vector<double>> JointModel::starts(plant::EffectId effect, cons
   }
   if (const std::vector<double>* known = this->known(effect)) {
     return {*known};
+  }
+  if (effect == plant::effect_id<plant::PositionDependentFriction>()) {
+    return starts_of_friction_wave(data, scales_);
   }
   std::vector<std::vector<double>> all = usual_starts(*this, effect, data);
   if (effect == plant::effect_id<plant::EndStop>()) {

@@ -1,6 +1,7 @@
 #include "diagnosis/model/joint_simulator.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "diagnosis/model/side_runs.hpp"
 
@@ -44,8 +45,7 @@ std::vector<FreeNumber> JointSimulator::free_numbers(const Model& model, const C
     const ChannelMask mine = model_.channels(effect.id);
     for (std::size_t i = 0; i < effect.fitted.size(); ++i, ++place) {
       const plant::Parameter& p = info.parameters[i];
-      const bool known_slack =
-          p.scale == plant::Scale::kLength && info.side == plant::Side::kLoad && i > 0 && model_.load().stiffness > 0.0;
+      const bool known_slack = model_.load().stiffness > 0.0 && std::string_view(p.name).starts_with("slack_position");
       if (meet(mine, mask) && !known_slack && model_.fits(effect.id, i)) {
         free.push_back({place, mine, p.low, p.high, 0.0, 0.0});
       }

@@ -100,6 +100,13 @@ std::vector<plant::EffectId> all_effects() {
   return all;
 }
 
+/// Effects that may stand for another one: a general form does so by its special case.
+std::vector<plant::EffectId> possible_rivals() {
+  std::vector<plant::EffectId> all = all_effects();
+  std::erase_if(all, plant::is_general_form);
+  return all;
+}
+
 /// Effects of the rest without whose help a target's change would be enough, and at least twice what they leave of it.
 std::vector<plant::EffectId> hiding(const Changes& changes, const Enough& enough, const Model& rest) {
   std::vector<plant::EffectId> all;
@@ -144,12 +151,12 @@ std::vector<EffectVisibility> effect_visibilities(const Bench& bench, const Mode
       targets.push_back({{id, std::move(size)}});
     }
   }
-  const Changes changes(bench, model, expected, targets, all_effects(), for_each);
+  const Changes changes(bench, model, expected, targets, possible_rivals(), for_each);
   std::vector<EffectVisibility> all(targets.size());
   for_each(all.size(), [&](std::size_t i) {
     const Enough enough{rules, changes.left_of(i).rms, rules.least_step};
     Model without;
-    all[i] = visibility_of(simulator, changes, i, targets[i].front(), enough, all_effects(), without);
+    all[i] = visibility_of(simulator, changes, i, targets[i].front(), enough, possible_rivals(), without);
   });
   return all;
 }
@@ -175,7 +182,7 @@ std::vector<MemberVisibility> member_visibilities(const Bench& bench, const std:
     if (member.recorded && !effect.fitted.empty()) {
       const Model rest = member.without;
       std::vector<plant::EffectId> outside;
-      std::ranges::copy_if(all_effects(), std::back_inserter(outside), [&](plant::EffectId id) {
+      std::ranges::copy_if(possible_rivals(), std::back_inserter(outside), [&](plant::EffectId id) {
         return !whole.has(id) && meet(simulator.channels(id), simulator.channels(effect.id));
       });
       const Changes changes(bench, rest, expected, {{effect}}, outside, for_each);

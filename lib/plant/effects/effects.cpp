@@ -32,17 +32,36 @@ FrictionParams contact(const ActuatorParams& actuator, const ActiveEffect* effec
     return {};
   }
   const double coulomb = *parameter_value(*effect, "coulomb_N");
-  const double ratio = *parameter_value(*effect, "breakaway_ratio");
-  return {coulomb, ratio * coulomb, *parameter_value(*effect, "stribeck_velocity_m_s"),
-          std::max(*parameter_value(*effect, "presliding_m"), least_presliding(actuator, ratio)),
+  return {coulomb, *parameter_value(*effect, "breakaway_ratio") * coulomb,
+          *parameter_value(*effect, "stribeck_velocity_m_s"),
+          std::max(*parameter_value(*effect, "presliding_m"), least_presliding(actuator, *effect)),
           *parameter_value(*effect, "bristle_damping_Ns_m")};
+}
+
+/// The wave of a friction effect; level for null. validate() lets a wavelength of 0 through, which acts as a very short
+/// one.
+FrictionWave<double> wave(const ActuatorParams& actuator, const ActiveEffect* effect) noexcept {
+  constexpr double kShortestShare = 1e-4;  // of the stroke
+  if (effect == nullptr) {
+    return {0.0, actuator.stroke, 0.0};
+  }
+  return {*parameter_value(*effect, "waviness"),
+          std::max(*parameter_value(*effect, "wavelength_m"), kShortestShare * actuator.stroke),
+          *parameter_value(*effect, "tightest_position_m")};
 }
 
 }  // namespace
 
-double least_presliding(const ActuatorParams& actuator, double breakaway_ratio) noexcept {
+double least_coulomb(const ActiveEffect& friction) noexcept {
+  const double waviness = parameter_value(friction, "waviness").value_or(0.0);
+  return (1.0 - waviness) * *parameter_value(friction, "coulomb_N");
+}
+
+double least_presliding(const ActuatorParams& actuator, const ActiveEffect& friction) noexcept {
   constexpr double kFastestContact_1_s = 3e5;
-  return breakaway_ratio * velocity_scale(actuator) / kFastestContact_1_s;
+  const double waviness = parameter_value(friction, "waviness").value_or(0.0);
+  return *parameter_value(friction, "breakaway_ratio") / (1.0 - waviness) * velocity_scale(actuator) /
+         kFastestContact_1_s;
 }
 
 ActuatorParams with_effects(const ActuatorParams& actuator, std::span<const ActiveEffect> effects) noexcept {
@@ -83,6 +102,8 @@ Result<Done> validate(std::span<const ActiveEffect> effects) {
       const double value = effect.values[i];
       if (parameter.reciprocal) {
         refusals.positive(parameter.name, value);
+      } else if (std::string_view(parameter.name) == "waviness") {
+        refusals.require(value >= 0.0 && value < 1.0, parameter.name, value, "within [0, 1)");
       } else if (parameter.low >= 0.0) {
         refusals.not_negative(parameter.name, value);
       } else {
@@ -100,6 +121,9 @@ Effects::Effects(const ActuatorParams& actuator, const LoadParams& load, std::sp
                  double tolerance) noexcept
     : EffectSet(Spool(actuator.spool, actuator.valve_current_max_A), supply_line(actuator, effects),
                 make_lines(actuator), Friction(load.friction, full_push(actuator), velocity_scale(actuator), tolerance),
+                WavyFriction(contact(actuator, find(effects, effect_id<PositionDependentFriction>())),
+                             wave(actuator, find(effects, effect_id<PositionDependentFriction>())), full_push(actuator),
+                             velocity_scale(actuator), tolerance),
                 SealFriction(contact(actuator, find(effects, effect_id<PistonFriction>())), full_push(actuator),
                              velocity_scale(actuator), tolerance),
                 FlexiblePart(load.flexible, load.mass, actuator.stroke, velocity_scale(actuator)),
@@ -117,7 +141,7 @@ Effects::X Effects::set_load(const LoadParams& load, const X& x) noexcept {
 std::optional<LeanEffects> lean(const Effects& effects) noexcept {
   const std::optional<LandLeaks> leaks = effects.get<StatelessTerms>().as_land_leaks();
   const bool others = effects.get<Spool>().active() || effects.lines().active() || effects.get<Friction>().active() ||
-                      effects.get<FlexiblePart>().active();
+                      effects.get<WavyFriction>().active() || effects.get<FlexiblePart>().active();
   if (!effects.active() || others || !leaks) {
     return std::nullopt;
   }

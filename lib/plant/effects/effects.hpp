@@ -18,16 +18,20 @@ ActuatorParams with_effects(const ActuatorParams& actuator, std::span<const Acti
 LoadParams with_effects(const LoadParams& load, const ActuatorParams& actuator,
                         std::span<const ActiveEffect> effects) noexcept;
 
-/// Least way, m or rad, over which a contact of that breakaway ratio may bend: less slides too fast for the shortest
+/// Least friction in motion of an effect of friction, N or Nm, wherever the joint is.
+double least_coulomb(const ActiveEffect& friction) noexcept;
+
+/// Least way, m or rad, over which the contact of an effect of friction may bend: less slides too fast for the shortest
 /// substep at the joint's full speed.
-double least_presliding(const ActuatorParams& actuator, double breakaway_ratio) noexcept;
+double least_presliding(const ActuatorParams& actuator, const ActiveEffect& friction) noexcept;
 
 /// Refuses numbers that are not finite, that lie on the wrong side of 0, and an effect that is there twice.
 Result<Done> validate(std::span<const ActiveEffect> effects);
 
 /// Every effect of a joint: on the way from the command to the valve's opening, then from the valve to the chambers,
 /// then on the load.
-class Effects : public EffectSet<Spool, SupplyLine, Lines, Friction, SealFriction, FlexiblePart, StatelessTerms> {
+class Effects
+    : public EffectSet<Spool, SupplyLine, Lines, Friction, WavyFriction, SealFriction, FlexiblePart, StatelessTerms> {
  public:
   /// Takes the effects in the parameters and, of `effects`, those that are not in them; `tolerance` of a substep.
   Effects(const ActuatorParams& actuator, const LoadParams& load, std::span<const ActiveEffect> effects,

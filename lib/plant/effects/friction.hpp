@@ -2,6 +2,7 @@
 
 #include "plant/dry_contact.hpp"
 #include "plant/effects/effect.hpp"
+#include "plant/friction_wave.hpp"
 #include "plant/refusals.hpp"
 
 namespace farrier::plant {
@@ -56,12 +57,7 @@ class Friction : public Effect<1> {
   }
 
   bool active() const noexcept { return active_; }
-  double fastest_rate(double mass) const noexcept {
-    // In sliding F_s |v| / (z_s F_c); stuck, the load on the contact's stiffness.
-    const double sliding = contact_.stiffness() * largest_speed_ / params_.coulomb;
-    const double stuck = std::sqrt(contact_.stiffness() / mass);
-    return (sliding > stuck ? sliding : stuck) + params_.bristle_damping / mass;
-  }
+  double fastest_rate(double mass) const noexcept { return fastest_rate(mass, params_.coulomb); }
   /// True if the contact's force follows from the way alone: it slides where the steady friction is F_c.
   bool slides(double velocity) const noexcept {
     return active_ && params_.bristle_damping == 0.0 && std::abs(velocity) * params_.coulomb > sliding_power_;
@@ -83,7 +79,17 @@ class Friction : public Effect<1> {
   double force(const Instant& now, const X& x, X& dx) const noexcept {
     const bool settled = std::abs(x[0]) == params_.coulomb && x[0] * now.velocity > sliding_power_;
     dx[0] = settled ? 0.0 : contact_.rate(x[0], now.velocity);
+    return damped(x, dx);
+  }
+  /// Force of bristles and their damping at a rate of the state.
+  double damped(const X& x, const X& dx) const noexcept {
     return contact_.damping_time() > 0.0 ? x[0] + contact_.damping_time() * dx[0] : x[0];
+  }
+  /// In sliding F_s |v| / (z_s F_c), with the least F_c there is; stuck, the load on the contact's stiffness.
+  double fastest_rate(double mass, double least_coulomb) const noexcept {
+    const double sliding = contact_.stiffness() * largest_speed_ / least_coulomb;
+    const double stuck = std::sqrt(contact_.stiffness() / mass);
+    return (sliding > stuck ? sliding : stuck) + params_.bristle_damping / mass;
   }
 
   FrictionParams params_;
@@ -104,6 +110,30 @@ class Friction : public Effect<1> {
   double negligible_;
   double sliding_power_ = 0.0;  ///< F_c times the speed from which on the contact settles; negative: at once
   bool active_ = false;
+};
+
+/// The contact of plant::PositionDependentFriction. Its steady friction changes on the way, so that it settles at no
+/// number.
+class WavyFriction : public Friction {
+ public:
+  static constexpr bool kNeutralUnlessActive = false;
+
+  /// As Friction, with the wave about the mean friction of `params`.
+  WavyFriction(const FrictionParams& params, const FrictionWave<double>& wave, double force_scale, double largest_speed,
+               double tolerance) noexcept
+      : Friction(params, force_scale, largest_speed, tolerance), wave_(wave) {}
+
+  double fastest_rate(double mass) const noexcept {
+    return Friction::fastest_rate(mass, (1.0 - wave_.waviness) * params_.coulomb);
+  }
+  void settle(double, X&, X&) const noexcept {}
+  void after_valve(Instant& now, const X& x, X& dx) const noexcept {
+    dx[0] = contact_.rate(x[0], now.velocity, wave_.level(now.position) * contact_.steady(now.velocity));
+    now.load_force -= damped(x, dx);
+  }
+
+ private:
+  FrictionWave<double> wave_;
 };
 
 /// The contact of plant::PistonFriction in a substep in which it slides one way (Friction::slides): no state, however

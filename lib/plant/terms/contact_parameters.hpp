@@ -55,4 +55,12 @@ inline constexpr std::array kContactParameters{
               "Damping of the bristles, sigma_1.",
               true}};
 
+/// The contact with those numbers of kContactParameters.
+template <class T>
+DryContact<T> contact_of(const T* fitted, const Scales& scales) noexcept {
+  const T coulomb = fitted[0] * scales.of(Scale::kForce);
+  return {coulomb, coulomb * fitted[1], fitted[2] * scales.of(Scale::kSpeed), fitted[3] * scales.of(Scale::kLength),
+          fitted[4] * scales.of(Scale::kDamping)};
+}
+
 }  // namespace farrier::plant

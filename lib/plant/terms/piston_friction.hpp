@@ -13,10 +13,7 @@ class PistonFriction {
   static constexpr EffectInfo kInfo{
       "piston_friction", Side::kValveAndOil, false, false, kParameters, "The piston's seals stick and slip.", true};
 
-  PistonFriction(const T* fitted, const Scales& scales, double) noexcept
-      : contact_(fitted[0] * scales.of(Scale::kForce), fitted[0] * scales.of(Scale::kForce) * fitted[1],
-                 fitted[2] * scales.of(Scale::kSpeed), fitted[3] * scales.of(Scale::kLength),
-                 fitted[4] * scales.of(Scale::kDamping)) {}
+  PistonFriction(const T* fitted, const Scales& scales, double) noexcept : contact_(contact_of(fitted, scales)) {}
 
   void on_piston(PistonMoment<T>& now) noexcept {
     const auto step = contact_.over(T(now.velocity), now.period_s);

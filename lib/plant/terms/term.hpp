@@ -74,6 +74,9 @@ struct EffectInfo {
   /// True if the plant has a state of it: in a class of plant/effects, the delay line or the joint. But for the joint's
   /// the term's own code, which steps from sample to sample, is then for fits alone.
   bool has_state = false;
+  /// Name of the effect that is a special case of this one, or null. The parameters begin with those of it. A diagnosis
+  /// names this one in its place alone, where that explains less.
+  const char* special_case = nullptr;
 };
 
 /// Sizes that make the parameters of a joint's effects comparable.

@@ -24,6 +24,7 @@
 #include "plant/terms/load_mass.hpp"
 #include "plant/terms/load_stiffness.hpp"
 #include "plant/terms/piston_friction.hpp"
+#include "plant/terms/position_dependent_friction.hpp"
 #include "plant/terms/spring_hardening.hpp"
 #include "plant/terms/supply_droop.hpp"
 #include "plant/terms/valve_asymmetry.hpp"
@@ -46,10 +47,11 @@ struct TermList {
 /// robot files, the simulated plant and sensors have it. One of the plant with a state says so (EffectInfo::has_state):
 /// a class in plant/effects integrates it, or HydraulicJoint steps it.
 template <class T>
-using AllTerms = TermList<T, InputDelay, ValveHysteresis, ValveBias, ValveDynamics, ValveDeadband, ValveAsymmetry,
-                          FlowSaturation, SupplyDroop, InternalLeakage, AirEntrainment, Backlash, PistonFriction,
-                          EndStop, LoadMass, LoadStiffness, LoadDamping, SpringHardening, ExternalForce, LoadFriction,
-                          FlexibleLoad, ForceSensorLag, ForceSensorGain, ForceSensorOffset, VelocityFilterLag>;
+using AllTerms =
+    TermList<T, InputDelay, ValveHysteresis, ValveBias, ValveDynamics, ValveDeadband, ValveAsymmetry, FlowSaturation,
+             SupplyDroop, InternalLeakage, AirEntrainment, Backlash, PistonFriction, EndStop, LoadMass, LoadStiffness,
+             LoadDamping, SpringHardening, ExternalForce, LoadFriction, PositionDependentFriction, FlexibleLoad,
+             ForceSensorLag, ForceSensorGain, ForceSensorOffset, VelocityFilterLag>;
 
 inline constexpr std::size_t kEffectCount = AllTerms<double>::kCount;
 /// Effects that a diagnosis may name: those of AllTerms, which robot files have, then kElectricEffects.
@@ -74,6 +76,21 @@ constexpr EffectId find_nameable(std::string_view name) {
 constexpr EffectId find_effect(std::string_view name) {
   const EffectId id = find_nameable(name);
   return id < kEffectCount ? id : kEffectCount;
+}
+
+/// The effect that is a special case of this one (EffectInfo::special_case), or kNameableCount.
+constexpr EffectId special_case_of(EffectId id) {
+  const char* const name = effect_info(id).special_case;
+  return name != nullptr ? find_nameable(name) : kNameableCount;
+}
+constexpr bool is_general_form(EffectId id) { return effect_info(id).special_case != nullptr; }
+/// The effect of which this one is a special case, or kNameableCount.
+constexpr EffectId general_form_of(EffectId id) {
+  EffectId general = 0;
+  while (general < kNameableCount && special_case_of(general) != id) {
+    ++general;
+  }
+  return general;
 }
 
 /// The terms that a joint has, with their states.

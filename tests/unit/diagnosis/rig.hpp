@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "diagnosis/data/recording.hpp"
 #include "plant/hydraulic_joint.hpp"
@@ -14,11 +15,13 @@ inline const robot::Joint& rig() {
 }
 
 /// The rig on `load` under a current that is `command` of the tick, held near mid-stroke, as its sensors would read it
-/// without noise.
-inline Recording recorded_rig(int ticks, const plant::LoadParams& load, const std::function<double(int)>& command_A) {
+/// without noise. `effects` are those of the plant.
+inline Recording recorded_rig(int ticks, const plant::LoadParams& load, const std::function<double(int)>& command_A,
+                              const std::vector<plant::ActiveEffect>& effects = {}) {
   constexpr double kMiddle_m = 0.04;
   auto joint =
-      plant::HydraulicJoint::create(rig().actuator, load, plant::equilibrium(rig().actuator, load, kMiddle_m, 0.0))
+      plant::HydraulicJoint::create(rig().actuator, load, plant::equilibrium(rig().actuator, load, kMiddle_m, 0.0),
+                                    plant::HydraulicJoint::kDefaultTolerance, effects)
           .value();
   Recording recording;
   recording.period_s = 0.001;
