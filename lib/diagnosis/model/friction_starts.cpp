@@ -45,7 +45,7 @@ std::vector<double> start_of(const Balance& balance, const Sinusoid& wave, const
   const double coulomb = std::max(terms_beside(balance, wave)[kFriction], least);
   const double wavelength = kTurn / wave.periods;
   const double tightest = std::atan2(wave.sine, wave.cosine) / wave.periods;
-  // Of the tightest places the one next to the middle of the motion.
+  // The tightest place that is nearest to the middle of the motion.
   const double middle = 0.5 * (balance.position.minCoeff() + balance.position.maxCoeff());
   const double next = tightest + wavelength * std::round((middle - tightest) / wavelength);
   std::vector<double> start;
@@ -77,7 +77,7 @@ std::vector<std::vector<double>> starts_of_friction_wave(const JointData& data, 
     for (const Sinusoid& wave : strongest_sinusoids(balance, grid, kMostWaves)) {
       starts.push_back(start_of(balance, wave, scales));
     }
-    // A wave at an end of its range is none, and stands for the others only where all are.
+    // Starts whose waviness lies at an end of its range are left out, but for one if all do.
     const auto ends = std::ranges::stable_partition(starts, swings);
     starts.erase(std::max(ends.begin(), starts.begin() + std::min<std::ptrdiff_t>(1, std::ssize(starts))),
                  starts.end());

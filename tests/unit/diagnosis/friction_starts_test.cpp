@@ -59,7 +59,10 @@ TEST(FrictionStarts, LeadAFitToTheHiddenWave) {
   const FitData fitted{&simulator, {false, true, false}, {1.0, 1e-3, 1.0}};
   Model start = Model::nominal();
   start.effects = {{kWavy, simulator.starts(kWavy).front()}};
-  const FitResult result = fit(fitted, {0, data.size()}, start, {false, true, false}, {});
+  FitOptions options;
+  options.most_iterations = 60;  // to its end
+  options.tolerance = 1e-6;
+  const FitResult result = fit(fitted, {0, data.size()}, start, {false, true, false}, options);
   expect_near_hidden(wave_of(result.model.effects[0].fitted), 0.05);
 }
 
