@@ -24,39 +24,54 @@ struct Machine {
   double piston_mass, piston_damping, stop_stiffness, stop_damping;
   double load_mass, load_damping, load_stiffness, spring_rest;  ///< spring_rest: where the load spring is slack
 
-  double overlap_A = 0.0;               ///< of each land
-  double bias_A = 0.0;                  ///< added to the command
-  double asymmetry = 0.0;               ///< gain K (1 + r) extending, K (1 - r) retracting
-  double spool_rad_s = 0.0;             ///< 0: the spool follows at once
+  double overlap_A = 0.0;    ///< of each land
+  double bias_A = 0.0;       ///< added to the command
+  double asymmetry = 0.0;    ///< gain K (1 + r) extending, K (1 - r) retracting
+  double spool_rad_s = 0.0;  ///< 0: the spool follows at once
   double spool_damping = 0.7;
-  double port_current_A = 0.0;          ///< opening at which a land has the resistance of the port's bore; 0: wide bore
+  double port_current_A = 0.0;  ///< opening at which a land has the resistance of the port's bore; 0: wide bore
   double delay_s = 0.0;
   Contact load_contact, piston_contact;
-  double leakage_m3_s_Pa = 0.0;         ///< laminar, from a to b
-  double air_fraction = 0.0;            ///< of the volume, at 1 bar
-  double supply_resistance = 0.0;       ///< Pa s/m^3, laminar, between pump and valve
-  double cubic_stiffness = 0.0;         ///< N/m^3 or Nm/rad^3
-  double external_force = 0.0;          ///< on the load
-  double play = 0.0;                    ///< whole gap between piston and load; 0: rigid
-  double stop_inset = 0.0;              ///< both stops stand so far inside [0, stroke]
+  double leakage_m3_s_Pa = 0.0;    ///< laminar, from a to b
+  double air_fraction = 0.0;       ///< of the volume, at 1 bar
+  double supply_resistance = 0.0;  ///< Pa s/m^3, laminar, between pump and valve
+  double cubic_stiffness = 0.0;    ///< N/m^3 or Nm/rad^3
+  double external_force = 0.0;     ///< on the load
+  double play = 0.0;               ///< whole gap between piston and load; 0: rigid
+  double stop_inset = 0.0;         ///< both stops stand so far inside [0, stroke]
   double force_lag_s = 0.0, force_gain = 1.0, force_offset = 0.0, velocity_lag_s = 0.0;
 
-  double ripple_Pa = 0.0, ripple_rad_s = 0.0;                ///< of the pump
-  double accumulator_Pa_m3 = 0.0;                            ///< stiffness of an accumulator at the valve; 0: none
-  double feed_inertance = 0.0, feed_resistance = 0.0;        ///< of the line that feeds it, Pa s^2/m^3, Pa s/m^3
-  double hysteresis_A = 0.0;                                 ///< half width of the play in the command
-  double gain_loss_per_s = 0.0;                              ///< of the valve's gain, relative
+  double ripple_Pa = 0.0, ripple_rad_s = 0.0;          ///< of the pump
+  double accumulator_Pa_m3 = 0.0;                      ///< stiffness of an accumulator at the valve; 0: none
+  double feed_inertance = 0.0, feed_resistance = 0.0;  ///< of the line that feeds it, Pa s^2/m^3, Pa s/m^3
+  double hysteresis_A = 0.0;                           ///< half width of the play in the command
+  double gain_loss_per_s = 0.0;                        ///< of the valve's gain, relative
   double branch_share = 0.0, branch_rad_s = 0.0, branch_damping = 0.0;  ///< part of the load behind a spring
-  double crosstalk = 0.0;                                    ///< gain of the load cell, 1/m or 1/rad off mid-stroke
-  double beat_force = 0.0, beat_rad_s = 0.0;                 ///< sinusoidal force on the load
-  double random_force = 0.0, random_force_time_s = 0.05;     ///< std of a first-order random force on the load
-  double dropout = 0.0;                                      ///< chance that a command of a 15 ms block is not taken
+  double crosstalk = 0.0;                                 ///< gain of the load cell, 1/m or 1/rad off mid-stroke
+  double beat_force = 0.0, beat_rad_s = 0.0;              ///< sinusoidal force on the load
+  double random_force = 0.0, random_force_time_s = 0.05;  ///< std of a first-order random force on the load
+  double dropout = 0.0;                                   ///< chance that a command of a 15 ms block is not taken
 };
 
 /// Places in the state.
 enum Place : std::size_t {
-  kX, kV, kPistonX, kPistonV, kPa, kPb, kSpool, kSpoolRate, kLoadBristle, kPistonBristle, kForceLag, kVelocityLag,
-  kSupply, kFeed, kBranchX, kBranchV, kPlaces
+  kX,
+  kV,
+  kPistonX,
+  kPistonV,
+  kPa,
+  kPb,
+  kSpool,
+  kSpoolRate,
+  kLoadBristle,
+  kPistonBristle,
+  kForceLag,
+  kVelocityLag,
+  kSupply,
+  kFeed,
+  kBranchX,
+  kBranchV,
+  kPlaces
 };
 using Vector = std::array<double, kPlaces>;
 
@@ -68,9 +83,9 @@ struct Acting {
 
 /// Results of the equations beside the state's derivative.
 struct Outcome {
-  double cell_force = 0.0;      ///< at the load cell, before its electronics
-  double supply_flow = 0.0;     ///< drawn at the valve, m^3/s, >= 0
-  double supply_Pa = 0.0;       ///< at the valve
+  double cell_force = 0.0;   ///< at the load cell, before its electronics
+  double supply_flow = 0.0;  ///< drawn at the valve, m^3/s, >= 0
+  double supply_Pa = 0.0;    ///< at the valve
 };
 
 /// Derivative of the state at `time_s` since recording began.

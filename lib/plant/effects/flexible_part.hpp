@@ -10,7 +10,7 @@ namespace farrier::plant {
 /// Part of a load's mass that hangs on the rest by a spring and a damper. Share 0: none.
 struct FlexibleParams {
   double share = 0.0;                    ///< of the load's mass; in [0, 1)
-  double natural_frequency_rad_s = 1.0;  ///< of this part beside a load that stands still; > 0
+  double natural_frequency_rad_s = 1.0;  ///< of this part beside a load at rest; > 0
   double damping = 0.0;                  ///< of it, D; >= 0
 };
 

@@ -4,17 +4,17 @@
 
 namespace farrier::plant {
 
-/// Part of the load's mass, m_b = s m_l, hangs on the rest by a spring and a damper: a second mass, a loose mount. With
-/// r its way beside the load and u its own speed:
+/// Part of the load's mass, m_b = s m_l, hangs on the rest by a spring and a damper: a second mass, a loose mount. Its way
+/// beside the load is r, its own speed u; Den Hartog (1956), 3.2.
 ///
-///   r' = u - v,   u' = -w^2 r - 2 D w (u - v),   (1 - s) m_l v' = F - d_l v - C (x - x_eq) - m_b u'
+///   r' = u - v,   u' = -w^2 r - 2 D w (u - v),   (1 - s) m_l v' = F - d_l v - C (x - x_eq) - m_b u'.
 ///
-/// Den Hartog (1956), 3.2. A step is the midpoint rule, as that of the load: together they never gain energy. With g =
-/// w^2 h / 2 + 2 D w the branch's mean speed over a step in which the load's is v is
+/// A step is the midpoint rule, as that of the load: together they never gain energy. The mean speeds u and v over it,
+/// with g = w^2 h / 2 + 2 D w, obey
 ///
-///   u = (2 u_0 / h - w^2 r_0 + g v) / (2 / h + g)
+///   u = (2 u_0 / h - w^2 r_0 + g v) / (2 / h + g).
 ///
-/// and holds the load back by m_b (2 / h) (g (v - u_0) - w^2 r_0) / (2 / h + g). It begins at rest beside the load.
+/// The load is held back by m_b (2 / h) (g (v - u_0) - w^2 r_0) / (2 / h + g). The part begins at rest beside it.
 /// Neutral at 0.
 template <class T>
 class FlexibleLoad {
