@@ -5,7 +5,7 @@
 namespace farrier::plant {
 
 /// Part of the load's mass, m_b = s m_l, hangs on the rest by a spring and a damper: a second mass, a loose mount. Its way
-/// beside the load is r, its own speed u; Den Hartog (1956), 3.2.
+/// beside the load is r, its own speed u. Den Hartog (1956), 3.2, has
 ///
 ///   r' = u - v,   u' = -w^2 r - 2 D w (u - v),   (1 - s) m_l v' = F - d_l v - C (x - x_eq) - m_b u'.
 ///
