@@ -9,9 +9,9 @@ namespace farrier::diagnosis {
 
 struct FitOptions {
   Observer observer;
-  double warm_up_s = 0.3;        ///< from a span's beginning that is not judged
-  double block_s = 0.1;          ///< within which residuals count as dependent
-  bool deviations = true;        ///< standard deviations are wanted
+  double warm_up_s = 0.3;  ///< from a span's beginning that is not judged
+  double block_s = 0.1;    ///< within which residuals count as dependent
+  bool deviations = true;  ///< standard deviations are wanted
   int most_iterations = 15;
   double tolerance = 1e-4;       ///< relative change of cost that ends a fit
   double samples_per_fact = 10;  ///< neighbouring residuals that count as one fact: sets the weight of the data against
