@@ -113,7 +113,7 @@ class FitProblem {
     }
     return weight;
   }
-  /// Of the nominal factors towards one.
+  /// Residuals of the priors, which draw the nominal factors to one.
   Eigen::VectorXd pull(const Eigen::VectorXd& values) const {
     Eigen::VectorXd pull = weight();
     for (Eigen::Index i = 0; i < pull.size(); ++i) {

@@ -133,11 +133,11 @@ class Selection {
   bool reached_before();
   /// Grows from a set and keeps the result if it explains more than the chosen one.
   void try_growing_from(const Hypothesis& first);
-  /// An effect that a linear step promises to explain `share` of an effect's log gain in its place.
+  /// An effect that may stand in the place of a chosen one.
   struct RivalStart {
     plant::EffectId id = plant::kNameableCount;
-    std::vector<double> start = {};
-    double share = 0.0;
+    std::vector<double> start = {};  ///< numbers from which its fit starts
+    double share = 0.0;              ///< of the chosen one's log gain, that a linear step promises
   };
   /// The most promising beside `less`, the chosen hypothesis without an effect. Notes the best share as the runner-up's.
   std::vector<RivalStart> promised_rivals(const Hypothesis& less, plant::EffectId effect);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include <Eigen/Cholesky>
+
 #include "diagnosis/judge/linearised.hpp"
 
 namespace farrier::diagnosis {
