@@ -2,7 +2,7 @@
 
 #include "plant/dry_contact.hpp"
 #include "plant/effects/effect.hpp"
-#include "plant/friction_wave.hpp"
+#include "plant/terms/friction_wave.hpp"
 #include "plant/refusals.hpp"
 
 namespace farrier::plant {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "plant/friction_wave.hpp"
+#include "plant/terms/friction_wave.hpp"
 #include "plant/terms/load_contact.hpp"
 
 namespace farrier::plant {
