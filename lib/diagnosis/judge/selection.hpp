@@ -141,9 +141,9 @@ class Selection {
   };
   /// The most promising beside `less`, the chosen hypothesis without an effect. Notes the best share as the runner-up's.
   std::vector<RivalStart> promised_rivals(const Hypothesis& less, plant::EffectId effect);
-  /// The chosen hypothesis with rivals in the place of an effect, each with its name: those that a linear step promises to
-  /// explain nearly as much, beside the other effects as they are and as they are fitted alone, and those that did so when
-  /// either was added.
+  /// The chosen hypothesis with rivals in the place of an effect, each with its name. They are those that a linear step
+  /// promises to explain much of it, and those that did so when either was added. The steps are taken beside the other
+  /// effects as they are, and as they are fitted alone.
   std::vector<std::pair<plant::EffectId, Hypothesis>> rivals_of(plant::EffectId effect);
   /// Takes `other`, which has `rival` in the place of `effect`, or notes how near it is.
   Exchange compare(plant::EffectId effect, plant::EffectId rival, const Hypothesis& other);
