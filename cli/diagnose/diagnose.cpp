@@ -112,11 +112,10 @@ Result<report::ModelOfDiagnosis> write_model(const std::string& path, const robo
   }
   const auto model = FARRIER_TRY(report::extended_model(robot, joint, effects));
   made.left_out = model.left_out;
-  if (model.text.empty()) {
+  if (!model.robot) {
     return made;
   }
-  const auto loaded = robot::load_robot_text(model.text, "extended model");
-  made.error = diagnosis::error_ratio(recording, joint, *loaded.value().find(joint.name));
+  made.error = diagnosis::error_ratio(recording, joint, *model.robot->find(joint.name));
   if (!path.empty()) {
     const std::string head =
         "# " + robot.name + " with the effects that farrier diagnose found at joint " + joint.name + ".\n";

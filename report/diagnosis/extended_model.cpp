@@ -53,6 +53,7 @@ ExtendedModel electric_model(robot::Robot extended, const robot::Joint& joint,
       model.left_out.emplace_back("gear_stiffness: a drive with so stiff a spring counts as rigid in a robot file");
     } else {
       model.text = std::move(again.value().text);
+      model.robot = std::move(again.value().robot);
     }
   }
   return model;
@@ -78,7 +79,7 @@ Result<ExtendedModel> extended_model(const robot::Robot& robot, const robot::Joi
                    joint.name};
     }
   }
-  return ExtendedModel{std::move(again.text), {}};
+  return ExtendedModel{std::move(again.text), std::move(again.robot), {}};
 }
 
 }  // namespace farrier::report

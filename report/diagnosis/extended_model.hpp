@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@ namespace farrier::report {
 
 struct ExtendedModel {
   std::string text;                   ///< of the robot file; empty: it has a place for none of the effects
+  std::optional<robot::Robot> robot;  ///< that the text loads to; none without a text
   std::vector<std::string> left_out;  ///< effects without a place in it, or why the file does not load, a sentence each
 };
 

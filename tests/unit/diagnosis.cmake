@@ -28,5 +28,5 @@ target_compile_definitions(blind_trials_test PRIVATE FARRIER_ROBOTS="${PROJECT_S
 farrier_test(experiment_test unit
   ${CMAKE_CURRENT_LIST_DIR}/trials/experiment_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/trials/wiring_evidence_test.cpp)
-target_link_libraries(experiment_test PRIVATE farrier_diagnosis farrier_truth)
+target_link_libraries(experiment_test PRIVATE farrier_blind farrier_diagnosis farrier_truth farrier_wiring_trials)
 target_compile_definitions(experiment_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")

@@ -1,6 +1,7 @@
 #include "diagnosis/judge/box_minimum.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <Eigen/Cholesky>

@@ -70,8 +70,6 @@ class Bench {
   /// Adds an effect to `from` by its numbers in one half: the other half, on which it is not to act, gets the same. Empty
   /// without a start.
   std::optional<Hypothesis> with_in_half(const Hypothesis& from, plant::EffectId effect, std::size_t half) const;
-  /// Sum of squared residuals of a half by its own fit.
-  double fitted_square(const Hypothesis& hypothesis, std::size_t half, std::size_t channel) const;
   /// Rms over a half for the sum of its squares.
   double rms_of_half(double squares, std::size_t half, std::size_t channel) const noexcept;
   /// `from` with one effect less and all else as it is.
@@ -103,6 +101,8 @@ class Bench {
   /// `fitted` to one half as a start for the other: numbers that concern no channel of `mask` are those of `own`.
   Model start_of_other(const Model& fitted, const Model& own, const ChannelMask& mask) const;
   void judge(Hypothesis& hypothesis, const Hypothesis* like, const ChannelMask& changed) const;
+  /// Sum of squared residuals of a half by its own fit.
+  double fitted_square(const Hypothesis& hypothesis, std::size_t half, std::size_t channel) const;
   std::vector<double> block_squares(const Model& model, std::size_t half, std::size_t channel) const;
   double fitted_gain(const Hypothesis& from, const Hypothesis& with, const ChannelMask& mask) const;
   double promise(const Hypothesis& from, const Model& model, const ChannelMask& mask) const;

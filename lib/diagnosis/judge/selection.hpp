@@ -63,7 +63,7 @@ class Selection {
 
   /// Tries rivals in the place of each chosen effect until no exchange is better. A rival that explains more is taken, and
   /// one with which a further effect is needless. A rival that may be right by more than tie_chance cannot be excluded; of
-  /// these two the one that shows on fewer channels stays.
+  /// these two the one that shows on fewer channels stays, unless the other leads in the whole band.
   void exchange();
   /// Ties each chosen effect with those outside the set from which this recording cannot tell it, by member_visibilities(). No
   /// verdict then contradicts what was said before the fits.
@@ -201,7 +201,7 @@ class Selection {
   std::map<plant::EffectId, Hypothesis> without_;  ///< by effect, of the chosen hypothesis as it is
   std::vector<std::vector<Candidate>> rounds_;
   std::map<std::vector<plant::EffectId>, double> reached_;  ///< best score of each set that growths reached, sorted
-  std::vector<plant::EffectId> once_;                       ///< that add_once added
+  std::vector<plant::EffectId> once_;                       ///< that show in one half alone
   /// Numbers of the second effect of a pair, by half, where both explained nearly the same when one was added.
   std::map<std::pair<plant::EffectId, plant::EffectId>, std::array<std::vector<double>, 2>> rivals_;
   std::vector<Tie> ties_;

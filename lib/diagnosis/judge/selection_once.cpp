@@ -41,8 +41,7 @@ bool Selection::acts_only_in(std::size_t half, const Hypothesis& without, const 
   const ChannelMask shows = bench_.simulator().channels(with.effects.back());
   for (std::size_t c = 0; c < kChannels; ++c) {
     const double was = without.fitted_squares[c][1 - half];
-    if (shows[c] && bench_.fit_data().judged[c] &&
-        std::abs(bench_.fitted_square(with, 1 - half, c) - was) > kSame * was) {
+    if (shows[c] && bench_.fit_data().judged[c] && std::abs(with.fitted_squares[c][1 - half] - was) > kSame * was) {
       return false;
     }
   }
@@ -114,8 +113,11 @@ bool Selection::add_once(const ChannelMask& open) {
 void Selection::grow_from_events() {
   for (std::size_t half = 0; half < 2; ++half) {
     const ChannelMask open = open_channels();
+    if (!meet(open, open)) {
+      return;
+    }
     const Hypothesis less = without_those_of(open);
-    if (!meet(open, open) || less.effects.size() + 1 > rules_.most_effects) {
+    if (less.effects.size() + 1 > rules_.most_effects) {
       return;
     }
     std::vector<Tried> tried = try_once(less, half, open);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnosis/judge/diagnosis.hpp"
+#include "trials/blind/blind_trials.hpp"
 #include "trials/truth/electric_truth.hpp"
 
 namespace farrier::truth {
@@ -31,13 +32,7 @@ class TiedCauses : public testing::TestWithParam<Tied> {
   diagnosis::Diagnosis diagnosed(double duration_s, const Command& command = {}) const {
     const Plan plan{GetParam().seed, Excitation::kMultisine, {{GetParam().hidden, 0}}, duration_s};
     const Samples samples = generate_electric(joint(), kPeriod_s, plan, command).value().samples;
-    diagnosis::Recording recording;
-    recording.period_s = samples.period_s;
-    recording.valve_current_A = samples.valve_current_A;
-    recording.position = samples.position;
-    recording.velocity = samples.velocity;
-    recording.force = samples.force;
-    return diagnosis::diagnose(recording, joint(), {});
+    return diagnosis::diagnose(blind::recording_of(samples), joint(), {});
   }
 
   /// The experiment as its text asks for it: a current beside a hold amid the travel.

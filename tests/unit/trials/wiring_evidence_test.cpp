@@ -9,6 +9,7 @@
 
 #include "diagnosis/wiring/wiring_evidence.hpp"
 #include "trials/truth/electric_truth.hpp"
+#include "trials/wiring/wiring_trials.hpp"
 
 namespace farrier::diagnosis {
 namespace wiring_evidence_test {
@@ -37,14 +38,8 @@ class WiringEvidenceOf : public testing::TestWithParam<std::pair<const char*, co
     const truth::Plan plan{1, truth::Excitation::kMultisine, {}, 2.0};
     const truth::Trial trial = joint().electric ? truth::generate_electric(joint(), 1e-3, plan).value()
                                                 : truth::generate(joint(), 1e-3, plan).value();
-    Recording recording;
-    recording.period_s = trial.samples.period_s;
-    recording.coordinates = joint().rotary ? Coordinates::kRotary : Coordinates::kLinear;
-    recording.valve_current_A = trial.samples.valve_current_A;
-    recording.position = trial.samples.position;
-    recording.velocity = trial.samples.velocity;
-    recording.force = trial.samples.force;
-    recording.supply_pressure_Pa = trial.samples.supply_pressure_Pa;
+    Recording recording = wiring::recording_of(trial.samples, joint());
+    recording.pressure_a_Pa = recording.pressure_b_Pa = {};
     return recording;
   }
 
