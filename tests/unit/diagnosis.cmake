@@ -3,7 +3,7 @@ farrier_test(diagnosis_test unit
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/derive_velocity_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/electric_model_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/fit_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/friction_starts_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/load_starts_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/not_judged_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/recording_check_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/recording_fuzz_test.cpp

@@ -64,6 +64,15 @@ class FitProblem {
     return room;
   }
 
+  /// Weights of the priors: 1 over the spread, 0 without a prior.
+  Eigen::VectorXd weight() const {
+    Eigen::VectorXd weight(std::ssize(free_));
+    for (Eigen::Index i = 0; i < weight.size(); ++i) {
+      weight[i] = at(i).spread > 0.0 ? 1.0 / at(i).spread : 0.0;
+    }
+    return weight;
+  }
+
   /// Half the sum of squares; not finite where the simulation is not.
   double cost(const Eigen::VectorXd& values) const {
     const Model model = model_at(values);
@@ -106,13 +115,6 @@ class FitProblem {
   double unit_of(Channel channel) const {
     return data_.weight[static_cast<std::size_t>(channel)] * std::sqrt(options_.samples_per_fact);
   }
-  Eigen::VectorXd weight() const {
-    Eigen::VectorXd weight(std::ssize(free_));
-    for (Eigen::Index i = 0; i < weight.size(); ++i) {
-      weight[i] = at(i).spread > 0.0 ? 1.0 / at(i).spread : 0.0;
-    }
-    return weight;
-  }
   /// Residuals of the priors, which draw the nominal factors to one.
   Eigen::VectorXd pull(const Eigen::VectorXd& values) const {
     Eigen::VectorXd pull = weight();
@@ -130,10 +132,11 @@ class FitProblem {
   std::vector<Channel> channels_;
 };
 
-/// Standard deviations by the sandwich of blocks (Liang and Zeger 1986): residuals of a block may say the same thing.
-Eigen::VectorXd deviations(const FitProblem::Slopes& slopes, Eigen::Index block) {
+/// Standard deviations by the sandwich of blocks (Liang and Zeger 1986): residuals of a block may say the same thing. A
+/// prior is one observation of its number, with the variance 1 / `weight` squared.
+Eigen::VectorXd deviations(const FitProblem::Slopes& slopes, const Eigen::VectorXd& weight, Eigen::Index block) {
   const Eigen::Index n = slopes.descent.size();
-  Eigen::MatrixXd meat = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd meat(weight.cwiseAbs2().asDiagonal());
   for (const Linearised& channel : slopes.channels) {
     for (Eigen::Index row = 0; row < channel.residual.size(); row += block) {
       const Eigen::Index rows = std::min(block, channel.residual.size() - row);
@@ -235,7 +238,7 @@ FitResult fit(const FitData& data, Span span, const Model& start, const ChannelM
     slopes = problem.slopes(values);
   }
   const Eigen::VectorXd deviation =
-      deviations(slopes, static_cast<Eigen::Index>(options.block_s / data.simulator->period_s()));
+      deviations(slopes, problem.weight(), static_cast<Eigen::Index>(options.block_s / data.simulator->period_s()));
   for (std::size_t place = kNominals; place < kNominals + numbers; ++place) {
     const auto at = std::ranges::find(problem.free(), place, &FreeNumber::place);
     result.deviation.push_back(at == problem.free().end() ? 0.0 : deviation[at - problem.free().begin()]);

@@ -150,9 +150,12 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
       sure = sure && share < kMostLeft;
     }
   }
+  const bool likely = std::ranges::any_of(judgement.effects,
+                                          [&](const NamedEffect& effect) { return effect.confidence >= rules.likely; });
   judgement.verdict = judgement.unexplained && !sure    ? Verdict::kUnknown
                       : judgement.effects.empty()       ? Verdict::kNone
                       : !judgement.alternatives.empty() ? Verdict::kCannotSeparate
+                      : !likely                         ? Verdict::kUnknown
                                                         : Verdict::kEffects;
   return judgement;
 }

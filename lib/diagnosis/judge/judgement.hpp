@@ -41,7 +41,8 @@ struct Rules {
   double least_nrmse = 0.02;     ///< NRMSE that a simulation of this form cannot improve
   double sure =
       0.9;  ///< confidence of the name with the largest share, from which a remainder does not make it unknown
-  double least_confidence = 0.05;                            ///< below which an effect beside others is not named
+  double likely = 0.5;             ///< confidence that one name must have, else no known effect explains the recording
+  double least_confidence = 0.05;  ///< below which an effect beside others is not named
   const ConfidenceMap* confidence = &confidence_map(false);  ///< outlives the rules
   double tie_chance = 0.025;     ///< chance of being right above which a rival cannot be excluded
   double clear_structure = 2.0;  ///< lead in squares over what is left beside noise, from which the lead counts in full

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kMostPeriods = 600.0;
 constexpr std::size_t kMostStarts = 3;
+constexpr double kUnlimitedShare = 0.5;  ///< of the largest command, up to which the balance of a rotor trusts it
 
 /// The torque on the load less that of its spring, beside its inertia, damping and dry friction.
 Balance balance_of_load(const JointData& data, const plant::ElectricParams& drive, const plant::LoadParams& load,
@@ -36,9 +37,12 @@ Balance balance_of_load(const JointData& data, const plant::ElectricParams& driv
   return balance;
 }
 
-/// Torque at the sensor beside that of the command, of rotor speed and acceleration and dry friction.
+/// Torque at the sensor beside that of the command, of rotor speed and acceleration and dry friction. Samples of large
+/// currents are left out: the motor may have had less.
 Balance balance_of_rotor(const JointData& data, const plant::ElectricParams& drive) {
-  const std::vector<std::size_t> samples = balance_samples(data);
+  std::vector<std::size_t> samples = balance_samples(data);
+  const double most_A = kUnlimitedShare * magnitude(data.current_A, 1.0);
+  std::erase_if(samples, [&](std::size_t k) { return std::abs(data.current_A[k - 1]) > most_A; });
   Balance balance = balance_over(samples, 5);
   const double h = data.period_s;
   const auto speed = [&](std::size_t k) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <numbers>
 
-#include "diagnosis/model/friction_starts.hpp"
+#include "diagnosis/model/load_starts.hpp"
 #include "diagnosis/model/jets.hpp"
 #include "plant/terms/active_effect.hpp"
 
@@ -15,12 +15,12 @@ namespace {
 /// Natural frequencies of a part of the load on a spring from which fits begin.
 constexpr std::array kBranch_Hz{5.0, 8.0, 12.0, 18.0, 28.0};
 
-/// Terms of sensors act once per sample, the others once per substep.
-double step_of(plant::Side side, const JointData& data) noexcept {
+/// Terms of sensors act once per sample, the others once per substep of the channel's simulation.
+double step_of(plant::Side side, const JointData& data, Channel channel) noexcept {
   switch (side) {
     case plant::Side::kValveAndOil:
     case plant::Side::kDrive:
-      return data.step_s();
+      return channel == Channel::kMotion ? data.load_step_s() : data.step_s();
     case plant::Side::kLoad:
       return data.load_step_s();
     case plant::Side::kForceSensor:
@@ -110,14 +110,14 @@ Constants<T> JointModel::constants(const std::array<T, kNominals>& f) const {
 }
 
 template <class T>
-plant::TermSet<T> JointModel::terms(const JointData& data, const EffectNumbers<T>& effects) const {
+plant::TermSet<T> JointModel::terms(const JointData& data, const EffectNumbers<T>& effects, Channel channel) const {
   plant::TermSet<T> set;
   for (const Model::Effect& effect : known_) {
     const std::vector<T> fitted(effect.fitted.begin(), effect.fitted.end());
-    set.add(effect.id, fitted.data(), scales_, step_of(plant::effect_info(effect.id).side, data));
+    set.add(effect.id, fitted.data(), scales_, step_of(plant::effect_info(effect.id).side, data, channel));
   }
   for (const auto& [id, fitted] : effects) {
-    set.add(id, fitted.data(), scales_, step_of(plant::effect_info(id).side, data));
+    set.add(id, fitted.data(), scales_, step_of(plant::effect_info(id).side, data, channel));
   }
   return set;
 }
@@ -125,7 +125,7 @@ plant::TermSet<T> JointModel::terms(const JointData& data, const EffectNumbers<T
 template <class T>
 std::vector<T> JointModel::run(const JointData& data, Span span, const std::array<T, kNominals>& factors,
                                const EffectNumbers<T>& effects, Channel channel, const Observer& observer) const {
-  plant::TermSet<T> terms = this->terms(data, effects);
+  plant::TermSet<T> terms = this->terms(data, effects, channel);
   const Constants<T> c = constants(factors);
   switch (channel) {
     case Channel::kForce:
@@ -145,7 +145,7 @@ std::vector<double> JointModel::simulate(const JointData& data, Span span, const
 
 std::vector<double> JointModel::errors_ahead(const JointData& data, Span span, const Model& model, Channel channel,
                                              const Observer& observer, std::size_t steps, std::size_t every) const {
-  const auto set = terms<double>(data, effect_numbers(model));
+  const auto set = terms<double>(data, effect_numbers(model), channel);
   const Constants<double> c = constants(model.factors);
   return channel == Channel::kForce ? drive_errors_ahead(data, span, OilSimulation<double>(data, c, set, span.begin),
                                                          observer.oil_s, steps, every)

@@ -58,7 +58,7 @@ class JointModel final : public JointSides {
                      const EffectNumbers<T>& effects, Channel channel, const Observer& observer) const;
 
   template <class T>
-  plant::TermSet<T> terms(const JointData& data, const EffectNumbers<T>& effects) const;
+  plant::TermSet<T> terms(const JointData& data, const EffectNumbers<T>& effects, Channel channel) const;
 
   plant::ActuatorParams actuator_;
   plant::LoadParams load_;

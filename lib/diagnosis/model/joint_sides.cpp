@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
+
+#include "diagnosis/model/load_starts.hpp"
+#include "plant/terms/active_effect.hpp"
 
 namespace farrier::diagnosis {
 namespace {
@@ -41,6 +45,10 @@ std::vector<std::vector<double>> usual_starts(const JointSides& joint, plant::Ef
             joint.load().stiffness > 0.0 ? joint.load().equilibrium_position / length : 0.5 * (low + high) / length;
       }
     }
+  }
+  if (id == plant::effect_id<plant::SpringHardening>()) {
+    // A fit that begins far from where the spring is slack ends elsewhere.
+    std::ranges::move(starts_of_hardening(data, joint.scales()), std::back_inserter(all));
   }
   return all;
 }

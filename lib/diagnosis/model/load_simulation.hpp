@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 #include "diagnosis/model/constants.hpp"
@@ -91,22 +91,31 @@ class LoadSimulation {
     return force_.advance(k, bend);
   }
 
-  /// Bend of the force within a period, about its chord, by a valve that opens differently in both halves: the flow at
-  /// half the supply across each land, (2.10) to (2.15).
+  /// Bend of the force within a period, about its chord, by a valve that opens differently over it: from the flow across
+  /// each land, (2.10) to (2.15). The chambers' pressures are those of the force and add to the supply, (3.19), (3.20).
   Parts bend_by_valve(std::size_t k) {
-    static_assert(JointData::kSubsteps == 2 && kParts == 4);
-    std::array<T, 2> opening_A;
-    for (std::size_t half = 0; half < 2; ++half) {
-      plant::ValveMoment<T> valve{current_.mean(k, half, 2), T(1.0)};
+    const Constants<T>& c = *c_;
+    const double supply_Pa = value_of(c.supply_pressure_Pa);
+    const double area_a = value_of(c.area_a);
+    const double area_b = value_of(c.area_b);
+    const double p_a = std::clamp((value_of(force_.now()) + area_b * supply_Pa) / (area_a + area_b), 0.0, supply_Pa);
+    const auto [v_a, v_b] = plant::chamber_volumes(c, data_->position[k]);
+    const T force_per_flow = c.bulk_modulus_Pa * (c.area_a / v_a + c.area_b / v_b);
+    const double h = data_->load_step_s();
+    Parts bend;
+    T whole(0.0);
+    for (std::size_t j = 0; j < kParts; ++j) {
+      plant::ValveMoment<T> valve{current_.mean(k, j, kParts), T(1.0)};
       terms_.on_valve(valve);
-      opening_A[half] = valve.opening_A;
+      const double drop_Pa = valve.opening_A > 0.0 ? supply_Pa - p_a : p_a;
+      const T rise = h * force_per_flow * c.valve_gain * valve.flow_factor * valve.opening_A * std::sqrt(drop_Pa);
+      bend[j] = whole + 0.5 * rise;
+      whole += rise;
     }
-    const double x = data_->position[k];
-    const T flow_per_A = c_->valve_gain * std::sqrt(0.5 * value_of(c_->supply_pressure_Pa));
-    const auto [v_a, v_b] = plant::chamber_volumes(*c_, x);
-    const T stiffness_per_area = c_->bulk_modulus_Pa * (c_->area_a / v_a + c_->area_b / v_b);
-    const T peak = 0.25 * data_->period_s * flow_per_A * stiffness_per_area * (opening_A[0] - opening_A[1]);
-    return {0.25 * peak, 0.75 * peak, 0.75 * peak, 0.25 * peak};
+    for (std::size_t j = 0; j < kParts; ++j) {
+      bend[j] -= (static_cast<double>(j) + 0.5) / kParts * whole;
+    }
+    return bend;
   }
 
   const JointData* data_;

@@ -15,9 +15,10 @@ constexpr std::size_t kEvery = 2;
 constexpr std::size_t kMargin = 20;  ///< from the ends, where the smoothed motion settles
 constexpr double kGridShare = 0.3;   ///< of the distance at which a sinusoid over the recorded positions is another
 
-/// The linear terms alone: their normal matrix, and the forces that they leave.
+/// The linear terms alone: their normal matrix, their coefficients, and the forces that they leave.
 struct TermsFit {
   Eigen::LLT<Eigen::MatrixXd> normal;
+  Eigen::VectorXd terms;
   Eigen::VectorXd left;
 };
 
@@ -25,8 +26,9 @@ TermsFit fit_of(const Balance& balance) {
   Eigen::MatrixXd square = balance.terms.transpose() * balance.terms;
   square.diagonal() *= 1.0 + 1e-9;
   square.diagonal().array() += 1e-300;
-  TermsFit fit{square.llt(), {}};
-  fit.left = balance.force - balance.terms * fit.normal.solve(balance.terms.transpose() * balance.force);
+  TermsFit fit{square.llt(), {}, {}};
+  fit.terms = fit.normal.solve(balance.terms.transpose() * balance.force);
+  fit.left = balance.force - balance.terms * fit.terms;
   return fit;
 }
 
@@ -71,10 +73,12 @@ Balance balance_over(const std::vector<std::size_t>& samples, Eigen::Index terms
 
 Sinusoid sinusoid_of(const Balance& balance, double periods) { return sinusoid_of(balance, fit_of(balance), periods); }
 
+Eigen::VectorXd linear_terms(const Balance& balance) { return fit_of(balance).terms; }
+
 Eigen::VectorXd terms_beside(const Balance& balance, const Sinusoid& sinusoid) {
-  const Eigen::Vector2d amplitudes(sinusoid.sine, sinusoid.cosine);
-  const Eigen::VectorXd rest = balance.force - wave_of(balance, sinusoid.periods) * amplitudes;
-  return fit_of(balance).normal.solve(balance.terms.transpose() * rest);
+  Balance rest = balance;
+  rest.force -= wave_of(balance, sinusoid.periods) * Eigen::Vector2d(sinusoid.sine, sinusoid.cosine);
+  return linear_terms(rest);
 }
 
 double telling_step(const Balance& balance) {

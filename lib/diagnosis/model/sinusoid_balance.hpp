@@ -36,6 +36,9 @@ struct Sinusoid {
 /// The least squares of a balance with a sinusoid of `periods`.
 Sinusoid sinusoid_of(const Balance& balance, double periods);
 
+/// Coefficients of the linear terms alone, by least squares.
+Eigen::VectorXd linear_terms(const Balance& balance);
+
 /// Coefficients of the linear terms beside a sinusoid.
 Eigen::VectorXd terms_beside(const Balance& balance, const Sinusoid& sinusoid);
 

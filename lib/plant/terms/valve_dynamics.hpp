@@ -44,15 +44,17 @@ class ValveDynamics {
     const T cosine = decay * (swings ? T(cos(split)) : T(cosh(split)));
     by_error_ = {cosine + damping * sine, -sine};
     by_rate_ = {sine, cosine - damping * sine};
+    // The spool's equation, integrated over the substep.
+    mean_by_error_ = -(by_error_[1] + 2.0 * damping * (by_error_[0] - 1.0)) / swing;
+    mean_by_rate_ = -(by_rate_[1] - 1.0 + 2.0 * damping * by_rate_[0]) / swing;
   }
 
   void on_valve(ValveMoment<T>& now) noexcept {
     const T error = opening_A_ - now.opening_A;
-    const T opening = now.opening_A + by_error_[0] * error + by_rate_[0] * rate_A_;
+    opening_A_ = now.opening_A + by_error_[0] * error + by_rate_[0] * rate_A_;
+    // The mean opening acts over the substep.
+    now.opening_A += mean_by_error_ * error + mean_by_rate_ * rate_A_;
     rate_A_ = by_error_[1] * error + by_rate_[1] * rate_A_;
-    // The mean of the spool's way acts over the substep.
-    now.opening_A = 0.5 * (opening_A_ + opening);
-    opening_A_ = opening;
   }
   /// Coefficients of a step: {error, rate} after it per error (opening less current) and per rate (u_v' / w) before it.
   const std::array<T, 2>& by_error() const noexcept { return by_error_; }
@@ -60,6 +62,7 @@ class ValveDynamics {
 
  private:
   std::array<T, 2> by_error_, by_rate_;
+  T mean_by_error_, mean_by_rate_;
   T opening_A_ = T(0.0);
   T rate_A_ = T(0.0);  ///< u_v' / w
 };

@@ -185,5 +185,39 @@ TEST(StartsOfCogging, HaveThePeriodAndSizeOfARippleInTheTorque) {
   EXPECT_NEAR(starts[0][0] * joint.push_limit, kAmplitude_Nm, 0.1);
 }
 
+TEST(StartsOfCogging, TrustNoCurrentsThatTheMotorMayNotHaveHad) {
+  const robot::Joint& joint = joint_of("electric_leg");
+  const ElectricModel model = model_of(joint);
+  const double largest_A = joint.push_limit / model.torque_per_A();
+  constexpr double kPeriods = 60.0;
+  constexpr double kAmplitude = 0.03;
+  const plant::EffectId limit = plant::find_nameable("current_limit");
+  Model hidden = Model::nominal();
+  hidden.effects = {{plant::find_nameable("cogging"), {kAmplitude, kPeriods, 0.7}},
+                    {limit, {model.scales().fitted(plant::effect_info(limit).parameters[0], 0.6 * largest_A)}}};
+  const NoiseStream draw(7, "electric_model_test", "limited");
+  Recording recording;
+  recording.period_s = 0.001;
+  for (int k = 0; k < 4000; ++k) {
+    recording.valve_current_A.push_back(largest_A * (2.0 * draw.uniform(k / 150) - 1.0));
+  }
+  const std::vector<plant::JointReadings> readings = model.respond(hidden, recording.valve_current_A, 0.001);
+  const double middle = 0.5 * joint.electric->travel;
+  const Hold hold = model.hold();
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const plant::JointReadings& now = readings[k];
+    recording.position.push_back(now.position);
+    recording.velocity.push_back(now.velocity);
+    recording.force.push_back(now.load_cell_force);
+    recording.valve_current_A[k] -=
+        (hold.stiffness * (now.position - middle) + hold.damping * now.velocity) / model.torque_per_A();
+  }
+  const JointData data = model.prepared(recording, joint.noise.position);
+  const auto starts = starts_of_cogging(data, *joint.electric, joint.swing_load, model.scales());
+  ASSERT_FALSE(starts.empty());
+  EXPECT_NEAR(starts[0][1], kPeriods, 3.0);
+  EXPECT_GT(starts[0][0], 0.5 * kAmplitude);
+}
+
 }  // namespace electric_model_test
 }  // namespace farrier::diagnosis

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "core/noise.hpp"
 #include "diagnosis/judge/fit.hpp"
@@ -68,6 +70,26 @@ TEST(SideModels, TheMassOfALoadThatRingsWithTheOilIsFoundWithoutBias) {
     start.effects = {{plant::find_effect("load_mass"), {1.1}}};
     const FitResult result = fit(fitted, {0, data.size()}, start, {false, true, false}, {});
     EXPECT_NEAR(result.model.effects[0].fitted[0], factor, 0.02 * factor);
+  }
+}
+
+// A current or spool that changes between samples bends the force between them; that bend is no mass of the load.
+TEST(SideModels, ALoadsMassIsFoundWithoutBiasBehindALateOrSlowValve) {
+  const plant::Scales scales(rig().actuator, rig().swing_load);
+  const JointModel model(rig().actuator, rig().swing_load);
+  for (const auto& [name, fitted] :
+       {std::pair{"input_delay", std::vector{0.8e-3}}, std::pair{"valve_dynamics", std::vector{0.6e-3, 0.7}}}) {
+    const plant::EffectId valve = plant::find_effect(name);
+    const NoiseStream draw(7, "diagnosis_fit_test", "current");
+    const Recording recording = recorded_rig(3000, rig().swing_load, [&](int k) { return draw.normal(k) * 1e-3; },
+                                             {plant::active_effect(valve, fitted, scales)});
+    const JointData data = prepare(recording, rig().actuator, rig().noise.position);
+    const JointSimulator simulator(model, data);
+    const FitData judged{&simulator, {false, true, false}, {1.0, 1e-3, 1.0}};
+    Model start = Model::nominal();
+    start.effects = {{valve, fitted}, {plant::find_effect("load_mass"), {1.05}}};
+    const FitResult result = fit(judged, {0, data.size()}, start, {false, true, false}, {});
+    EXPECT_NEAR(result.model.effects[1].fitted[0], 1.0, 0.005) << name;
   }
 }
 
@@ -208,6 +230,24 @@ TEST(Fit, KeepsNominalConstantsWithinTheirBandAndFindsTheHiddenCurrentOffset) {
   for (const double factor : result.model.factors) {
     EXPECT_LE(std::abs(factor - 1.0), kNominalBand + 1e-12);
   }
+}
+
+// A gain of the load cell goes with the areas, which the recording does not tell from it.
+TEST(Fit, TheDeviationOfANumberHasTheUncertaintyOfThePriorsThatItGoesWith) {
+  const JointData data = prepare(recorded(4.0), rig().actuator, rig().noise.position);
+  const JointModel model(rig().actuator, rig().swing_load);
+  const JointSimulator simulator(model, data);
+  const FitData fitted{&simulator, {true, true, false}, {1.0, 1e-3, 1.0}};
+  Model start = Model::nominal();
+  start.effects = {{plant::find_effect("force_sensor_gain"), {1.0}}};
+  const auto deviation = [&](double spread) {
+    return fit(fitted, {0, data.size()}, start, {true, true, false}, {.nominal_spread = spread}).deviation.front();
+  };
+  // Mass and damping of the load, areas and damping of the piston have the scale of the force, too.
+  constexpr double kSpread = 0.01;
+  EXPECT_GT(deviation(kSpread), 0.2 * kSpread);
+  EXPECT_LT(deviation(kSpread), 1.5 * kSpread);
+  EXPECT_LT(deviation(1e-6), 0.5 * deviation(kSpread));
 }
 
 TEST(Fit, AStartThatMakesNoFiniteSimulationIsAnAnswerAndNoCrash) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/noise.hpp"
+#include "diagnosis/judge/judgement.hpp"
 #include "diagnosis/judge/screening.hpp"
 #include "diagnosis/judge/selection.hpp"
 #include "diagnosis/model/joint_simulator.hpp"
@@ -223,6 +224,18 @@ TEST(Selection, ChoosesNothingWhereNothingIsHidden) {
   selection.grow_from_others();
   selection.exchange();
   EXPECT_TRUE(selection.chosen().effects.empty());
+}
+
+TEST(Judge, NamesNoCauseOfWhichNoneIsLikely) {
+  const Case one(recorded(kMass, 1.0, 0));
+  Rules rules;
+  const Judgement likely = judge(one.bench, one.expected, rules, one.for_each);
+  ASSERT_EQ(likely.verdict, Verdict::kEffects);
+  rules.likely = 1.0;  // more than any confidence
+  const Judgement unlikely = judge(one.bench, one.expected, rules, one.for_each);
+  EXPECT_EQ(unlikely.verdict, Verdict::kUnknown);
+  ASSERT_EQ(unlikely.effects.size(), 1u) << "what explains a part is still given";
+  EXPECT_EQ(unlikely.effects[0].id, likely.effects[0].id);
 }
 
 }  // namespace selection_test

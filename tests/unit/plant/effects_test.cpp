@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -27,6 +28,26 @@ LoadParams sticky_load() {
   LoadParams load{2.5, 500.0, 21480.0, 0.04};
   load.friction = kRigFriction;
   return load;
+}
+
+/// Way of a spool, the sum of its mean openings over substeps, `parts` in 2 ms, under a current that jumps; A s.
+double way_of_spool(int parts) {
+  constexpr double kSeconds = 2e-3;
+  const std::array fitted{1.0 / 1600.0, 0.7};
+  const Scales scales(test::rig_cylinder(), test::swing_load());
+  ValveDynamics<double> spool(fitted.data(), scales, kSeconds / parts);
+  double sum = 0.0;
+  for (int i = 0; i < 4 * parts; ++i) {
+    ValveMoment<double> valve{i < 2 * parts ? 1e-3 : -2e-3, 1.0};
+    spool.on_valve(valve);
+    sum += valve.opening_A * kSeconds / parts;
+  }
+  return sum;
+}
+
+TEST(ValveDynamics, MeanOpeningsAddToTheSameWayOverSubstepsOfAnyLength) {
+  EXPECT_NEAR(way_of_spool(1), way_of_spool(64), 1e-15);
+  EXPECT_NEAR(way_of_spool(4), way_of_spool(64), 1e-15);
 }
 
 bool same(const HydraulicJoint& one, const HydraulicJoint& other) {
@@ -79,8 +100,8 @@ TEST(Spool, FollowsAStepAsItsTransferFunctionDoes) {
     stated += report.error_position / actuator.stroke;  // relative to each state's own scale, the spool's 10 mA
     const double t = i * kSample_s;
     const double expected =
-        kStep_A * (1.0 - std::exp(-D * omega * t) *
-                             (std::cos(damped * t) + D / std::sqrt(1 - D * D) * std::sin(damped * t)));
+        kStep_A *
+        (1.0 - std::exp(-D * omega * t) * (std::cos(damped * t) + D / std::sqrt(1 - D * D) * std::sin(damped * t)));
     ASSERT_NEAR(joint.effects().opening_A, expected, 8.0 * stated * actuator.valve_current_max_A) << "at " << t << " s";
   }
   EXPECT_LT(stated, 1e-5);
@@ -118,9 +139,9 @@ TEST(Deadband, ShiftsCurrentsBeyondItAndSwallowsThoseWithin) {
   struct Pair {
     double command_A, opening_A;
   };
-  for (const auto& [command, opening] : {Pair{0.0, 0.0}, Pair{kHalfWidth_A, 0.0}, Pair{-kHalfWidth_A, 0.0},
-                                         Pair{3 * kHalfWidth_A, 2 * kHalfWidth_A},
-                                         Pair{-5 * kHalfWidth_A, -4 * kHalfWidth_A}}) {
+  for (const auto& [command, opening] :
+       {Pair{0.0, 0.0}, Pair{kHalfWidth_A, 0.0}, Pair{-kHalfWidth_A, 0.0}, Pair{3 * kHalfWidth_A, 2 * kHalfWidth_A},
+        Pair{-5 * kHalfWidth_A, -4 * kHalfWidth_A}}) {
     HydraulicJoint with = test::joint_at_rest(actuator, test::swing_load());
     HydraulicJoint without = test::joint_at_rest(test::rig_cylinder(), test::swing_load());
     for (int tick = 0; tick < 100; ++tick) {

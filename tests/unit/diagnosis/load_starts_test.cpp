@@ -1,17 +1,19 @@
-// Where fits of friction that swings with the position begin, and where they end.
+// Where fits of a load's friction that swings with the position, and of its spring, begin and where they end.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/noise.hpp"
 #include "diagnosis/judge/fit.hpp"
-#include "diagnosis/model/friction_starts.hpp"
+#include "diagnosis/model/load_starts.hpp"
 #include "diagnosis/model/joint_simulator.hpp"
 #include "tests/unit/diagnosis/rig.hpp"
 
 namespace farrier::diagnosis {
-namespace friction_starts_test {
+namespace load_starts_test {
 
 constexpr plant::EffectId kWavy = plant::effect_id<plant::PositionDependentFriction>();
 
@@ -27,15 +29,18 @@ std::vector<double> numbers(const Wave& wave) {
   return {wave.coulomb, 1.3, 0.01, 4.0 * plant::kPreslidingShare, 0.0, wave.waviness, wave.wavelength, wave.tightest};
 }
 
-/// The rig under random steps of the current, on a guide that is tight in places.
-JointData recorded(double duration_s) {
-  const NoiseStream draw(7, "friction_starts_test", "current");
+/// The rig with a hidden effect, under random steps of the current.
+JointData recorded_with(plant::EffectId hidden, const std::vector<double>& fitted, double duration_s) {
+  const NoiseStream draw(7, "load_starts_test", "current");
   const plant::Scales scales(rig().actuator, rig().swing_load);
   const Recording recording = recorded_rig(static_cast<int>(1000.0 * duration_s), rig().swing_load,
                                            [&](int k) { return (2.0 * draw.uniform(k / 60) - 1.0) * 2e-3; },
-                                           {plant::active_effect(kWavy, numbers(kHidden), scales)});
+                                           {plant::active_effect(hidden, fitted, scales)});
   return prepare(recording, rig().actuator, rig().noise.position);
 }
+
+/// The rig on a guide that is tight in places.
+JointData recorded(double duration_s) { return recorded_with(kWavy, numbers(kHidden), duration_s); }
 
 void expect_near_hidden(const Wave& wave, double share) {
   EXPECT_NEAR(wave.coulomb, kHidden.coulomb, share * kHidden.coulomb);
@@ -71,5 +76,25 @@ TEST(FrictionStarts, OfARecordingThatIsTooShortAreTheLibrarys) {
   EXPECT_EQ(starts_of_friction_wave(recorded(0.1), scales), starts_of(plant::effect_info(kWavy)));
 }
 
-}  // namespace friction_starts_test
+TEST(HardeningStarts, LieNearTheSpringThatTheRecordingHas) {
+  constexpr plant::EffectId kHardens = plant::effect_id<plant::SpringHardening>();
+  const JointModel model(rig().actuator, rig().swing_load);
+  const std::vector<double> hidden{60.0, 0.3};
+  const std::vector<double> start = model.starts(kHardens, recorded_with(kHardens, hidden, 4.0)).back();
+  EXPECT_NEAR(start[0], hidden[0], 0.3 * hidden[0]);
+  EXPECT_NEAR(start[1], hidden[1], 0.1);
+}
+
+TEST(HardeningStarts, OfARecordingWithoutAWayOfTheLoadAreTheUsualOnes) {
+  const plant::Scales scales(rig().actuator, rig().swing_load);
+  EXPECT_TRUE(starts_of_hardening(recorded(0.1), scales).empty()) << "too short";
+  JointData data = recorded(1.0);
+  data.swing.assign(data.size(), 0);
+  EXPECT_TRUE(starts_of_hardening(data, scales).empty()) << "never the load of the model";
+  data.swing.clear();
+  std::ranges::fill(data.position, 0.04);
+  EXPECT_TRUE(starts_of_hardening(data, scales).empty()) << "does not move";
+}
+
+}  // namespace load_starts_test
 }  // namespace farrier::diagnosis
