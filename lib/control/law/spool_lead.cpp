@@ -41,7 +41,7 @@ double SpoolLead::take(double asked_A) noexcept {
   return current_A;
 }
 
-// Sum over a step's response of what is missing, the mean of each period counted.
+// Sum over a step's response of what is missing. A period counts by the mean of its ends.
 double SpoolLead::find_lag_ticks() const noexcept {
   constexpr int kLongest = 400;
   SpoolLead spool = *this;
