@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "diagnosis/model/constants.hpp"
@@ -91,24 +90,20 @@ class LoadSimulation {
     return force_.advance(k, bend);
   }
 
-  /// Bend of the force within a period, about its chord, by a valve that opens differently over it: from the flow across
-  /// each land, (2.10) to (2.15). The chambers' pressures are those of the force and add to the supply, (3.19), (3.20).
+  /// Bend of the force within a period, about its chord, by a valve that opens differently over it: from the flow at half
+  /// the supply across each land, (2.10) to (2.15). A current that changes its sign from sample to sample leaves the
+  /// chambers' pressures unknown.
   Parts bend_by_valve(std::size_t k) {
     const Constants<T>& c = *c_;
-    const double supply_Pa = value_of(c.supply_pressure_Pa);
-    const double area_a = value_of(c.area_a);
-    const double area_b = value_of(c.area_b);
-    const double p_a = std::clamp((value_of(force_.now()) + area_b * supply_Pa) / (area_a + area_b), 0.0, supply_Pa);
     const auto [v_a, v_b] = plant::chamber_volumes(c, data_->position[k]);
-    const T force_per_flow = c.bulk_modulus_Pa * (c.area_a / v_a + c.area_b / v_b);
-    const double h = data_->load_step_s();
+    const T flow_per_A = c.valve_gain * std::sqrt(0.5 * value_of(c.supply_pressure_Pa));
+    const T rise_per_A = data_->load_step_s() * flow_per_A * c.bulk_modulus_Pa * (c.area_a / v_a + c.area_b / v_b);
     Parts bend;
     T whole(0.0);
     for (std::size_t j = 0; j < kParts; ++j) {
       plant::ValveMoment<T> valve{current_.mean(k, j, kParts), T(1.0)};
       terms_.on_valve(valve);
-      const double drop_Pa = valve.opening_A > 0.0 ? supply_Pa - p_a : p_a;
-      const T rise = h * force_per_flow * c.valve_gain * valve.flow_factor * valve.opening_A * std::sqrt(drop_Pa);
+      const T rise = rise_per_A * valve.flow_factor * valve.opening_A;
       bend[j] = whole + 0.5 * rise;
       whole += rise;
     }

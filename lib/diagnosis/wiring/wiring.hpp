@@ -27,7 +27,7 @@ struct WiringRules {
   /// Sum over the laws of the logarithm of unexplained mean squares, without the fault over with it undone.
   double least_gain = 3.0;
   double most_unexplained = 0.35;         ///< of each law that undoing the fault changes, after it
-  double most_unexplained_of_lag = 0.05;  ///< the same of a lag: an elastic gear may look like a poor one
+  double most_unexplained_of_lag = 0.03;  ///< the same of a lag: an elastic gear looks like one that leaves 0.04
   double rival_weight = 0.05;             ///< of the best, above which another fault may be meant as well
   double dead_share = 0.02;               ///< of a channel's expected movement, below which it is dead
   double same_share = 0.02;               ///< of a channel's movement, within which it is another joint's
