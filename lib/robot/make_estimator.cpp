@@ -50,7 +50,7 @@ Made make_valve_flow_estimator(const Joint& joint, const estimation::JointScales
   const plant::JointPhysics physics = nominal_physics(joint, joint.swing_load);
   estimation::KnownValve known{.leakage = physics.leakage, .overlap_A = physics.overlap_A, .spool = {}};
   if (const plant::ActiveEffect* spool = plant::find(joint.effects, plant::effect_id<plant::ValveDynamics>())) {
-    known.spool = control::SampledSpool(spool->values[0], spool->values[1], scales.period_s);
+    known.spool = plant::ValveDynamics<double>(spool->values[0], spool->values[1], scales.period_s);
   }
   auto estimator = estimation::ValveFlowEstimator::create(joint.estimator, scales, joint.actuator,
                                                           {joint.swing_load, joint.stance_load}, known);

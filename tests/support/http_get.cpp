@@ -6,18 +6,36 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <random>
+
 namespace farrier::test {
 
-std::uint16_t free_port() {
+namespace {
+
+/// Below the ports that Linux gives to connections (32768 and above), so that none of them takes it later.
+constexpr std::uint16_t kLowest = 20'000, kHighest = 32'000;
+
+bool is_free(std::uint16_t port) {
   const int probe = ::socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in place{};
   place.sin_family = AF_INET;
   place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof place;
-  ::bind(probe, reinterpret_cast<const sockaddr*>(&place), size);
-  ::getsockname(probe, reinterpret_cast<sockaddr*>(&place), &size);
+  place.sin_port = htons(port);
+  const bool bound = ::bind(probe, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0;
   ::close(probe);
-  return ntohs(place.sin_port);
+  return bound;
+}
+
+}  // namespace
+
+std::uint16_t free_port() {
+  std::random_device random;
+  std::uniform_int_distribution<std::uint16_t> draw(kLowest, kHighest);
+  std::uint16_t port = draw(random);
+  while (!is_free(port)) {
+    port = draw(random);
+  }
+  return port;
 }
 
 std::string http_get(std::uint16_t port, const std::string& path) {

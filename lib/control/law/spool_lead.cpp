@@ -35,22 +35,24 @@ double SpoolLead::take(double asked_A) noexcept {
   if (current_max_A_ == 0.0) {
     return asked_A;
   }
-  const double lead_A = acts_ ? gain_[0] * (asked_A - spool_.place_A()) - gain_[1] * spool_.rate_A() : 0.0;
-  const double current_A = std::clamp(asked_A + lead_A, -current_max_A_, current_max_A_);
+  const double current_A = current_for(asked_A);
   spool_.move(current_A);
   return current_A;
 }
 
-// Sum over a step's response of what is missing. A period counts by the mean of its ends.
+double SpoolLead::current_for(double asked_A) const noexcept {
+  const double lead_A = acts_ ? gain_[0] * (asked_A - spool_.opening_A()) - gain_[1] * spool_.rate_A() : 0.0;
+  return std::clamp(asked_A + lead_A, -current_max_A_, current_max_A_);
+}
+
+// Sum over a step's response of what is missing.
 double SpoolLead::find_lag_ticks() const noexcept {
   constexpr int kLongest = 400;
   SpoolLead spool = *this;
   spool.current_max_A_ = 1e9;
   double missing = 0.0;
   for (int k = 0; k < kLongest; ++k) {
-    const double before = spool.spool_.place_A();
-    spool.take(1.0);
-    missing += 1.0 - 0.5 * (before + spool.spool_.place_A());
+    missing += 1.0 - spool.spool_.move(spool.current_for(1.0));
   }
   return missing;
 }

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "control/law/sampled_spool.hpp"
+#include "plant/terms/valve_dynamics.hpp"
 
 namespace farrier::control {
 
@@ -28,11 +28,12 @@ class SpoolLead {
   double lag_ticks() const noexcept { return lag_ticks_; }
 
  private:
+  double current_for(double asked_A) const noexcept;
   double find_lag_ticks() const noexcept;
 
   double current_max_A_ = 0.0;
   bool acts_ = false;
-  SampledSpool spool_;
+  plant::ValveDynamics<double> spool_;
   std::array<double, 2> gain_{};
   double lag_ticks_ = 0.0;
 };

@@ -115,9 +115,8 @@ void ValveFlowEstimator::take(const JointSample& sample) noexcept {
   }
   const double limit_A = actuator_.valve_current_max_A;
   if (follows && currents_known_ > scales_.input_delay_ticks) {
-    const double before_A = spool_.place_A();
-    spool_.move(std::clamp(currents_[static_cast<std::size_t>(scales_.input_delay_ticks)], -limit_A, limit_A));
-    take_opening(sample.state, 0.5 * (before_A + spool_.place_A()));
+    const double current_A = currents_[static_cast<std::size_t>(scales_.input_delay_ticks)];
+    take_opening(sample.state, spool_.move(std::clamp(current_A, -limit_A, limit_A)));
   } else {
     currents_known_ = follows ? currents_known_ : 0;
     interrupt();

@@ -2,7 +2,7 @@
 
 // Gain, overlap and leakage of a joint's valve, from the oil side of the load cell:
 //
-//   i_v ──▶ SampledSpool ──▶ parts of the flow ──▶ Rls ──▶ estimate()
+//   i_v ──▶ ValveDynamics ──▶ parts of the flow ──▶ Rls ──▶ estimate()
 //   x, v, F_s ──▶ flow ─────────────────────────────▲
 
 #include <Eigen/Core>
@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "control/law/sampled_spool.hpp"
 #include "core/result.hpp"
 #include "estimation/estimator.hpp"
 #include "estimation/estimator_params.hpp"
@@ -20,14 +19,15 @@
 #include "estimation/valve/chamber_oil.hpp"
 #include "estimation/valve/oscillation_monitor.hpp"
 #include "plant/load_pressure.hpp"
+#include "plant/terms/valve_dynamics.hpp"
 
 namespace farrier::estimation {
 
 /// Knowledge of a joint's valve before any sample.
 struct KnownValve {
-  double leakage = 0.0;         ///< between the chambers, m^3/s/Pa; >= 0
-  double overlap_A = 0.0;       ///< >= 0
-  control::SampledSpool spool;  ///< as the data sheet has it
+  double leakage = 0.0;                ///< between the chambers, m^3/s/Pa; >= 0
+  double overlap_A = 0.0;              ///< >= 0
+  plant::ValveDynamics<double> spool;  ///< as the data sheet has it
 };
 
 /// Least squares on the equation of the load pressure, Hubacher (2014), (3.22) to (3.33), with the overlap d and the
@@ -111,7 +111,7 @@ class ValveFlowEstimator final : public Estimator {
   double open_flow_m3_s_;  ///< nominal, at supply pressure
   Parameters prior_;       ///< of the linear parameters: gain, gain times overlap, leakage, damping, compressibility
   Parameters deviation_;   ///< their standard deviations before the first sample
-  control::SampledSpool spool_;
+  plant::ValveDynamics<double> spool_;
   Rls<kParameters> regression_;
   PredictionErrors errors_;
   ChamberOil oil_;

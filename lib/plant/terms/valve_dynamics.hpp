@@ -30,11 +30,15 @@ class ValveDynamics {
                                     "The spool follows the current as a mass on a spring does.",
                                     true};
 
-  ValveDynamics(const T* fitted, const Scales&, double step_s) noexcept {
+  /// A spool that follows at once.
+  ValveDynamics() = default;
+  ValveDynamics(const T* fitted, const Scales&, double step_s) noexcept
+      : ValveDynamics(1.0 / fitted[0], fitted[1], step_s) {}
+  /// All > 0; the spool is moved by steps of `step_s`.
+  ValveDynamics(T natural_frequency_rad_s, T damping, double step_s) noexcept {
     using portable::cos, portable::cosh, portable::exp, portable::sin, portable::sinh;
     using std::abs, std::sqrt;
-    const T swing = step_s / fitted[0];  // w h
-    const T damping = fitted[1];
+    const T swing = natural_frequency_rad_s * step_s;
     const T decay = exp(-damping * swing);
     const T square = 1.0 - damping * damping;
     const T split = sqrt(abs(square) + 1e-12) * swing;
@@ -49,20 +53,31 @@ class ValveDynamics {
     mean_by_rate_ = -(by_rate_[1] - 1.0 + 2.0 * damping * by_rate_[0]) / swing;
   }
 
-  void on_valve(ValveMoment<T>& now) noexcept {
-    const T error = opening_A_ - now.opening_A;
-    opening_A_ = now.opening_A + by_error_[0] * error + by_rate_[0] * rate_A_;
-    // The mean opening acts over the substep.
-    now.opening_A += mean_by_error_ * error + mean_by_rate_ * rate_A_;
+  void on_valve(ValveMoment<T>& now) noexcept { now.opening_A = move(now.opening_A); }
+  /// Moves the spool for a step with that current, A. Returns its mean opening over the step, A, which acts on the oil.
+  T move(T current_A) noexcept {
+    const T error = opening_A_ - current_A;
+    const T mean_A = current_A + (mean_by_error_ * error + mean_by_rate_ * rate_A_);
+    opening_A_ = current_A + by_error_[0] * error + by_rate_[0] * rate_A_;
     rate_A_ = by_error_[1] * error + by_rate_[1] * rate_A_;
+    return mean_A;
+  }
+  /// Current for which the spool is open now, A.
+  T opening_A() const noexcept { return opening_A_; }
+  /// Its rate over the natural frequency, A.
+  T rate_A() const noexcept { return rate_A_; }
+  /// Rests the spool where that current would hold it.
+  void rest_at(T current_A) noexcept {
+    opening_A_ = current_A;
+    rate_A_ = T(0.0);
   }
   /// Coefficients of a step: {error, rate} after it per error (opening less current) and per rate (u_v' / w) before it.
   const std::array<T, 2>& by_error() const noexcept { return by_error_; }
   const std::array<T, 2>& by_rate() const noexcept { return by_rate_; }
 
  private:
-  std::array<T, 2> by_error_, by_rate_;
-  T mean_by_error_, mean_by_rate_;
+  std::array<T, 2> by_error_{}, by_rate_{};
+  T mean_by_error_ = T(0.0), mean_by_rate_ = T(0.0);
   T opening_A_ = T(0.0);
   T rate_A_ = T(0.0);  ///< u_v' / w
 };

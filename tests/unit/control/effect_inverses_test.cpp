@@ -38,7 +38,7 @@ TEST(SpoolLead, MakesTheSpoolFollowSoonerAndKnowsByHowMuch) {
     SpoolLead lead(rate_rad_s, 0.7, kMost_A, kPeriod_s);
     const double led = lag_ticks(spool, [&lead](double asked_A) { return lead.take(asked_A); });
     EXPECT_LT(led, 0.75 * alone) << rate_rad_s;
-    EXPECT_NEAR(led, lead.lag_ticks(), 1e-3) << rate_rad_s << ": the lead counts a period by the mean of its ends";
+    EXPECT_NEAR(led, lead.lag_ticks(), 1e-9) << rate_rad_s;
   }
 }
 
