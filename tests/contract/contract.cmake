@@ -8,8 +8,10 @@ if(TARGET farrier_bus_fastdds)
   target_compile_definitions(contract_support PRIVATE FARRIER_HAVE_FASTDDS)
 endif()
 
-farrier_test(contract_test contract ${contract_dir}/contract_main.cpp ${contract_dir}/conformance_delivery_test.cpp
+farrier_test_executable(contract_test ${contract_dir}/contract_main.cpp ${contract_dir}/conformance_delivery_test.cpp
   ${contract_dir}/conformance_matching_test.cpp ${contract_dir}/conformance_failure_test.cpp)
+farrier_test_entry(contract_test contract contract_test --gtest_filter=-Bus/Failure.*)
+farrier_test_entry(contract_failure_test contract contract_test --gtest_filter=Bus/Failure.*)  # leases of milliseconds
 target_link_libraries(contract_test PRIVATE contract_support)
 
 farrier_test(gathering_test contract ${contract_dir}/contract_main.cpp ${contract_dir}/gathering_test.cpp)

@@ -9,10 +9,9 @@
 #include <random>
 
 namespace farrier::test {
-
 namespace {
 
-/// Below the ports that Linux gives to connections (32768 and above), so that none of them takes it later.
+// Linux gives connections ports from 32768 on.
 constexpr std::uint16_t kLowest = 20'000, kHighest = 32'000;
 
 bool is_free(std::uint16_t port) {

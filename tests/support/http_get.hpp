@@ -5,7 +5,7 @@
 
 namespace farrier::test {
 
-/// A port of this computer that nobody listens on just now.
+/// A port of this computer on which nothing listens now, and which no connection takes later.
 std::uint16_t free_port();
 
 /// Body of what a server of this computer answers; empty when none does.
