@@ -85,8 +85,15 @@ std::vector<blind::TrialPlan> plans_of(const DiagnoseBenchmark& o, const std::ve
     return blind::healthy_trials(joints.size(), static_cast<std::size_t>(o.trials > 0 ? o.trials : kHealthyRobots),
                                  o.seed);
   }
-  return blind::mixed(
-      o.electric ? blind::all_electric_trials(joints, o.seed) : blind::all_trials(joints.size(), o.seed), o.trials);
+  const auto all = [&](std::uint64_t seed) {
+    return o.electric ? blind::all_electric_trials(joints, seed) : blind::all_trials(joints.size(), seed);
+  };
+  std::vector<blind::TrialPlan> plans = all(o.seed);
+  if (!o.calibration_path.empty()) {
+    const std::vector<blind::TrialPlan> again = all(o.seed + plans.size());
+    plans.insert(plans.end(), again.begin(), again.end());
+  }
+  return blind::mixed(plans, o.trials);
 }
 
 /// Writes the map of confidences that the trials give, with its source.

@@ -62,7 +62,8 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   auto* const calibrate =
       app.add_option(
              "--calibrate", o.calibration_path,
-             "--benchmark fits the map of confidences to its trials and writes it, as "
+             "--benchmark runs its trials twice, with other seeds, fits the map of confidences to them and writes it, "
+             "as "
              "lib/diagnosis/confidence/confidence_hydraulic.def; its --seed is 100001 unless told, and not lower")
           ->type_name("<file>")
           ->needs("--benchmark")

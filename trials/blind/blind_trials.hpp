@@ -61,7 +61,7 @@ inline constexpr std::uint64_t kCalibrationSeed = 100001;
 
 /// Every effect of the library at three magnitudes under three excitations, and 60 trials with none. Then sets of two to
 /// five effects of medium and large size, and 36 trials with an effect outside the library. They are of `joints` joints in
-/// turn.
+/// turn. Their seeds are `seed` and the next ones.
 std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed);
 
 /// The same of electric joints, each with every effect that it can have: 24 trials with none, 24 with sets of two to four,
