@@ -56,7 +56,8 @@ set(FARRIER_PARALLEL_TESTS trace_identity_test process_failure_test process_end_
   reproduce_test diagnose_test diagnose_electric_test diagnose_scaled_test robots_system_test security_system_test echo_test
   monitor_command_test monitor_page_test dds_cases_test memory_test outputs_test recording_commands_test
   bench_parts_test surroundings_test prometheus_test three_hosts_test security_bus_test readme_test
-  contract_test gathering_test ros_node_test ros_command_test ros_ecosystem_test trial_body_test walk_test service_test other_processor_test faults_refusals_test)
+  contract_test gathering_test ros_node_test ros_command_test ros_ecosystem_test trial_body_test walk_test service_test
+  other_processor_test faults_refusals_test)
 
 # Tests that take longest among those that run at the same time, the longest first. CTest starts them first, also in a clean
 # clone, where it has no times of its own: the last of them then does not run alone at the end.

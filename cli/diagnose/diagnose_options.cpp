@@ -63,8 +63,7 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
       app.add_option(
              "--calibrate", o.calibration_path,
              "--benchmark runs its trials twice, with other seeds, fits the map of confidences to them and writes it, "
-             "as "
-             "lib/diagnosis/confidence/confidence_hydraulic.def; its --seed is 100001 unless told, and not lower")
+             "as lib/diagnosis/confidence/confidence_hydraulic.def; its --seed is 100001 unless told, and not lower")
           ->type_name("<file>")
           ->needs("--benchmark")
           ->excludes("--healthy");
